@@ -1,0 +1,50 @@
+# One static library a folder of src/, all with the same warnings. The arrows between folders are those of
+# docs/design.md: a folder links only what it may include.
+
+find_package(PkgConfig REQUIRED)
+find_package(Threads REQUIRED)
+
+add_library(croquis_flags INTERFACE)
+target_include_directories(croquis_flags INTERFACE ${CMAKE_SOURCE_DIR}/src ${CMAKE_SOURCE_DIR}/include)
+target_compile_options(croquis_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion)
+if(CROQUIS_SANITIZE)
+  target_compile_options(croquis_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
+                                                 -fno-omit-frame-pointer)
+  target_link_options(croquis_flags INTERFACE -fsanitize=address,undefined)
+endif()
+if(CROQUIS_FUZZ)
+  target_compile_options(croquis_flags INTERFACE -fsanitize=fuzzer-no-link,address,undefined
+                                                 -fno-sanitize-recover=all)
+  target_link_options(croquis_flags INTERFACE -fsanitize=address,undefined)
+endif()
+
+# croquis_library(NAME SOURCES file... USES library...): src/NAME as the static library croquis_NAME.
+function(croquis_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;USES" ${ARGN})
+  add_library(croquis_${name} STATIC ${ARG_SOURCES})
+  target_link_libraries(croquis_${name} PUBLIC $<BUILD_INTERFACE:croquis_flags> ${ARG_USES})
+endfunction()
+
+# croquis_package(TARGET module...): a Debian library found by pkg-config, its headers taken as system headers.
+function(croquis_package target)
+  pkg_check_modules(${target} REQUIRED IMPORTED_TARGET ${ARGN})
+endfunction()
+
+# croquis_test(NAME SOURCES file... USES library... [GL]): a GoogleTest program. With GL it runs twice, on
+# OpenGL 3.3 and on OpenGL ES 3.0.
+function(croquis_test name)
+  cmake_parse_arguments(ARG "GL" "" "SOURCES;USES" ${ARGN})
+  add_executable(test_${name} ${ARG_SOURCES})
+  target_link_libraries(test_${name} PRIVATE croquis_flags ${ARG_USES} GTest::gtest_main)
+  set(environment "CROQUIS_DATA=${CMAKE_SOURCE_DIR}/data" "LP_NUM_THREADS=1"
+                  "ASAN_OPTIONS=intercept_tls_get_addr=0")
+  if(ARG_GL)
+    foreach(gl gl gles)
+      add_test(NAME ${name}_${gl} COMMAND test_${name})
+      set_tests_properties(${name}_${gl} PROPERTIES ENVIRONMENT "${environment};CROQUIS_GL=${gl}" TIMEOUT 300)
+    endforeach()
+  else()
+    add_test(NAME ${name} COMMAND test_${name})
+    set_tests_properties(${name} PROPERTIES ENVIRONMENT "${environment}" TIMEOUT 300)
+  endif()
+endfunction()

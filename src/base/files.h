@@ -1,0 +1,22 @@
+// Reading whole files with a bound on their size, and writing files that appear whole or not at all.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace croquis {
+
+/// The bytes of a file. Throws Error when it cannot be read, is not a regular file or is larger than `most_bytes`.
+[[nodiscard]] std::string read_file(const std::filesystem::path& path, std::uintmax_t most_bytes);
+
+/// Writes a file beside `path` and renames it when all bytes are down, so that nobody ever sees half of it. The path
+/// "-" is standard output. Throws Error when the folder is missing, the disk is full or the file cannot be replaced;
+/// then nothing is left behind.
+void write_file_whole(const std::filesystem::path& path, std::span<const std::byte> bytes);
+void write_file_whole(const std::filesystem::path& path, std::string_view text);
+
+}  // namespace croquis

@@ -1,0 +1,50 @@
+// The welded topology beside the render vertices: who touches whom (seed A, 2.2.3; seed D, 2).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+namespace croquis::model {
+
+struct Mesh;
+
+constexpr std::uint32_t no_face = 0xffffffffu;
+
+/// An undirected edge. Of more than two faces on an edge the first two stand here; `face_count` tells how many.
+struct Edge {
+    std::array<std::uint32_t, 2> vertices;              ///< welded vertices, the smaller first
+    std::array<std::uint32_t, 2> faces{no_face, no_face};  ///< faces[1] is no_face on a border
+};
+
+/// A face of the whole model: a triangle of a mesh that is left after welding.
+struct Face {
+    std::array<std::uint32_t, 3> vertices;  ///< welded vertices, in the mesh's winding
+    std::uint32_t mesh = 0;
+};
+
+/// All meshes welded into one: vertices at the same position are one vertex, faces of no area are gone, and each
+/// undirected edge stands once.
+struct Topology {
+    std::vector<glm::vec3> positions;     ///< one a welded vertex
+    std::vector<Face> faces;
+    std::vector<glm::vec3> face_normals;  ///< unit, from the winding
+    std::vector<Edge> edges;
+    std::vector<std::uint32_t> crowded_edges;  ///< indices of edges with three or more faces
+
+    /// True for a mesh whose surface is closed, has two faces on each edge and is wound one way: then faces that turn
+    /// away from the eye are never seen. One entry a mesh.
+    std::vector<bool> mesh_is_solid;
+    /// True for a mesh of negative volume, wound inside out. One entry a mesh.
+    std::vector<bool> mesh_is_inverted;
+
+    [[nodiscard]] std::size_t border_edge_count() const;
+};
+
+/// Welds vertices at exactly equal positions (-0 equals 0) across all meshes.
+[[nodiscard]] Topology weld(std::span<const Mesh> meshes);
+
+}  // namespace croquis::model
