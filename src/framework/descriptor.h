@@ -61,6 +61,9 @@ public:
     /// Reads descriptor files. A component in a later folder of `layers` replaces the one of the same name in an
     /// earlier folder, so that a user's own folder can change what is shipped; two of one name within a folder are an
     /// error. The order of files in a folder does not matter. Throws Error at the place of the first mistake.
+    ///
+    /// A component that inherits from a replaced one inherits from the replacement. Where it does not fit that any
+    /// more (it modifies a variable that is gone, say), it is left out with a warning, and asking for it says why.
     explicit Descriptors(std::span<const std::vector<Source>> layers);
 
     /// Throws Error with the nearest name.
@@ -68,13 +71,25 @@ public:
     [[nodiscard]] const ComponentDescriptor* find(std::string_view name) const;
     /// All names but `every_component`, sorted.
     [[nodiscard]] std::vector<std::string> names() const;
+    /// What to tell a user who asks for a component that is not here: the nearest name, or why it was left out.
+    [[nodiscard]] std::string why_missing(std::string_view name) const;
 
 private:
     std::map<std::string, ComponentDescriptor, std::less<>> components_;
+    std::map<std::string, std::string, std::less<>> left_out_;  // and the reason
 };
 
+/// What a variable makes of a value: the value it takes, and what to tell the user, both without a place or name.
+struct FittedValue {
+    Value value;
+    std::string warning;  ///< "7 is outside -1 to 1; using 1", or empty
+    std::string error;    ///< "expects one of …, found …" for a string that is not among the choices, or empty
+};
+[[nodiscard]] FittedValue fit_to_range(const VariableDescriptor& variable, Value value);
+
 /// Clamps a value to the variable's range, component-wise, with one warning that leads with `where` (a place in a
-/// file, or what was typed). NaN becomes the default or the minimum. Throws Error for a string that is not among the choices.
+/// file, or what was typed). NaN becomes the default or the minimum. Throws Error for a string that is not among the
+/// choices.
 [[nodiscard]] Value clamp_to_range(const VariableDescriptor& variable, Value value, const std::string& where);
 
 }  // namespace croquis::framework

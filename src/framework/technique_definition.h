@@ -16,7 +16,7 @@ namespace croquis::framework {
 /// One pass: which component it uses, and a value for every variable of that component.
 struct PassDefinition {
     const ComponentDescriptor* component = nullptr;  ///< owned by the Descriptors it was read with
-    std::string name;                                ///< unique in its technique; the component's name if none was given
+    std::string name;  ///< unique in its technique; the component's name if none was given
     std::map<std::string, Value, std::less<>> values;
     TextPosition where;
 };

@@ -33,12 +33,13 @@ struct Bounds {
     [[nodiscard]] float radius() const { return 0.5f * glm::length(high - low); }
 };
 
-/// A surface's colours, in the terms of the Phong model (seed C, equation 4.1).
+/// A surface's colours, in the terms of the Phong model (seed C, equation 4.1). The defaults are those of a model that
+/// names no material.
 struct Material {
     std::string name;
-    glm::vec3 ambient{0.0f};
+    glm::vec3 ambient{0.12f};
     glm::vec3 diffuse{0.8f};
-    glm::vec3 specular{0.0f};
+    glm::vec3 specular{0.5f};
     float shininess = 32.0f;  ///< the exponent s of equation 4.3
     float opacity = 1.0f;
     std::shared_ptr<const image::Image> texture;  ///< multiplies the diffuse colour; null where there is none

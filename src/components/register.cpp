@@ -1,0 +1,30 @@
+#include "components/register.h"
+
+namespace croquis::components {
+
+// CORE_COMPONENT(name) registers the class that name.cpp makes in its function make_name.
+#define CORE_COMPONENT(name)                                                                  \
+    {                                                                                         \
+        #name, [](const framework::Pass& pass) {                                              \
+            std::unique_ptr<framework::Component> make_##name(const framework::Pass&);        \
+            return make_##name(pass);                                                         \
+        }                                                                                     \
+    }
+
+framework::ComponentTable core_components() {
+    return {
+        CORE_COMPONENT(background),
+        CORE_COMPONENT(copy_to_texture),
+        CORE_COMPONENT(generate_texture),
+        CORE_COMPONENT(overlay),
+        CORE_COMPONENT(ping_pong),
+        CORE_COMPONENT(process_texture),
+        CORE_COMPONENT(render_attributes),
+        CORE_COMPONENT(simple_render),
+        CORE_COMPONENT(wireframe),
+    };
+}
+
+#undef CORE_COMPONENT
+
+}  // namespace croquis::components

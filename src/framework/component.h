@@ -1,0 +1,48 @@
+// Components: the kinds of pass. Each is a class with a render function, made for one pass (seed C, 2.3.1).
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "framework/pass.h"
+
+namespace croquis::framework {
+
+struct RenderContext;
+
+class Component {
+public:
+    virtual ~Component() = default;
+    Component(const Component&) = delete;
+    Component& operator=(const Component&) = delete;
+
+    /// Draws one frame of the pass, or nothing when its `render` variable is off.
+    void draw(RenderContext& context) {
+        if (render_.value()) render(context);
+    }
+
+    /// Called when a variable changed: the place to make at once what depends on it, so that a mistake is told then
+    /// and not in a frame. When it throws, the change is taken back.
+    virtual void variable_changed(std::string_view /*name*/) {}
+
+protected:
+    explicit Component(const Pass& pass) : pass_(pass), render_(pass.variable<bool>("render")) {}
+
+    virtual void render(RenderContext& context) = 0;
+
+    const Pass& pass_;
+
+private:
+    Variable<bool> render_;
+};
+
+/// Makes a component for a pass.
+using CreateComponent = std::function<std::unique_ptr<Component>(const Pass&)>;
+
+/// All core components by the name of their descriptor.
+using ComponentTable = std::map<std::string, CreateComponent, std::less<>>;
+
+}  // namespace croquis::framework

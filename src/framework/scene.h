@@ -1,0 +1,81 @@
+// A model on the GPU: its meshes uploaded once, its materials' textures, its edges when someone draws them.
+#pragma once
+
+#include <functional>
+#include <glm/mat4x4.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "framework/resources.h"
+#include "gpu/geometry.h"
+#include "gpu/state.h"
+#include "model/camera.h"
+#include "model/model.h"
+
+namespace croquis::framework {
+
+/// Which objects a pass draws: the words of the variable `objects`. Each is a pattern with `*` and `?` that a mesh's or
+/// a material's name matches, or `#3` for region 3; with a `-` before it, what matches is left out. No words: all.
+class ObjectSelection {
+public:
+    explicit ObjectSelection(const std::string& words);
+    [[nodiscard]] bool includes(const model::Model& model, const model::Mesh& mesh) const;
+
+private:
+    struct Word {
+        std::string pattern;
+        bool excludes = false;
+    };
+    std::vector<Word> words_;
+};
+
+class Scene {
+public:
+    /// Uploads the model.
+    Scene(Resources& resources, std::shared_ptr<const model::Model> model);
+
+    [[nodiscard]] const model::Model& model() const { return *model_; }
+    [[nodiscard]] const model::Pose* pose() const { return pose_ ? &*pose_ : nullptr; }
+    [[nodiscard]] const glm::mat4& scene_from_model() const { return scene_from_model_; }
+
+    /// Moves the vertices to a pose of the model. Nothing else is uploaded again.
+    void set_pose(model::Pose pose);
+    /// Back to the model at rest.
+    void clear_pose();
+
+    struct SurfaceOptions {
+        /// Faces that turn away are then left out where the mesh is closed, for nobody can see them.
+        bool eye_is_outside = false;
+        const gpu::Texture* texture_for_all = nullptr;  ///< in place of each material's own
+    };
+
+    /// Draws the surfaces of the selected meshes with the program in use, giving it each one's material. Texture unit 0
+    /// is taken.
+    void draw_surfaces(const ObjectSelection& selection, const gpu::Program& program, gpu::DrawState state,
+                       const SurfaceOptions& options);
+
+    /// Draws the selected meshes' edges with the bound program: one instance an edge, of four strip vertices, with both
+    /// end points and both face normals as attributes.
+    void draw_edges(const ObjectSelection& selection);
+
+private:
+    struct Part {
+        std::unique_ptr<gpu::Geometry> surface;
+        std::shared_ptr<const gpu::Texture> texture;
+        gpu::Cull cull = gpu::Cull::none;
+        std::unique_ptr<gpu::Geometry> edges;  // made when first drawn
+    };
+
+    void upload_positions(const model::Pose* pose);
+    [[nodiscard]] std::unique_ptr<gpu::Geometry> make_edges(std::size_t mesh) const;
+
+    Resources* resources_;
+    std::shared_ptr<const model::Model> model_;
+    std::optional<model::Pose> pose_;
+    glm::mat4 scene_from_model_;
+    std::vector<Part> parts_;  // one a mesh
+};
+
+}  // namespace croquis::framework

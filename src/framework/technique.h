@@ -1,0 +1,51 @@
+// An open technique: its passes with their components, ready to draw.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "framework/component.h"
+#include "framework/library.h"
+#include "framework/pass.h"
+#include "framework/render_context.h"
+#include "gpu/timer.h"
+
+namespace croquis::framework {
+
+class Technique {
+public:
+    /// Makes all passes, with their programs and textures. `library` is that which `definition` was read with. Throws
+    /// Error at the pass's place in its file when something that it names is missing or wrong.
+    Technique(std::shared_ptr<const Library> library, const TechniqueDefinition& definition, Resources& resources,
+              const ComponentTable& components);
+
+    [[nodiscard]] const std::string& name() const { return name_; }
+    [[nodiscard]] const std::string& help() const { return help_; }
+
+    [[nodiscard]] std::vector<std::string> pass_names() const;
+    /// Throws Error with the nearest name.
+    [[nodiscard]] const Pass& pass(std::string_view name) const;
+
+    /// Changes a variable; the next frame shows it. Throws Error, changing nothing, when it cannot be.
+    void set(std::string_view pass, std::string_view variable, const Value& value);
+
+    /// Draws one frame into the context's frame. With a timer, each pass is one stretch.
+    void draw(RenderContext& context, gpu::StretchTimer* timer = nullptr);
+
+private:
+    struct Step {
+        std::unique_ptr<Pass> pass;
+        std::unique_ptr<Component> component;
+    };
+    [[nodiscard]] const Step& step(std::string_view name) const;
+
+    std::shared_ptr<const Library> library_;
+    std::string name_;
+    std::string help_;
+    GeneratedTextures generated_;
+    std::vector<Step> steps_;
+};
+
+}  // namespace croquis::framework

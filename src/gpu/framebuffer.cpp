@@ -1,0 +1,119 @@
+#include "gpu/framebuffer.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <cassert>
+
+#include "base/error.h"
+
+namespace croquis::gpu {
+namespace {
+
+// Rows from the bottom, as GL gives them, to rows from the top.
+template <typename Word>
+void flip_rows(std::vector<Word>& words, std::size_t row, int height) {
+    for (std::size_t low = 0, high = std::size_t(height) - 1; low < high; ++low, --high) {
+        std::swap_ranges(words.begin() + std::ptrdiff_t(low * row), words.begin() + std::ptrdiff_t((low + 1) * row),
+                         words.begin() + std::ptrdiff_t(high * row));
+    }
+}
+
+}  // namespace
+
+Framebuffer::Framebuffer(Context& context, std::shared_ptr<Texture> color, std::shared_ptr<Texture> depth)
+    : context_(&context), color_(std::move(color)), depth_(std::move(depth)) {
+    assert(color_ || depth_);
+    glGenFramebuffers(1, &id_);
+    ++context_->counters().live_framebuffers;
+    glBindFramebuffer(GL_FRAMEBUFFER, id_);
+    if (color_) glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color_->id(), 0);
+    if (depth_) glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_->id(), 0);
+    const GLenum buffer = color_ ? GL_COLOR_ATTACHMENT0 : GL_NONE;
+    glDrawBuffers(1, &buffer);
+    glReadBuffer(buffer);
+    const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
+    if (status != GL_FRAMEBUFFER_COMPLETE) {
+        glDeleteFramebuffers(1, &id_);
+        --context_->counters().live_framebuffers;
+        fail("the renderer {} cannot draw to this kind of texture (status {:#x})", context_->renderer(), status);
+    }
+}
+
+Framebuffer::~Framebuffer() {
+    glDeleteFramebuffers(1, &id_);
+    --context_->counters().live_framebuffers;
+}
+
+int Framebuffer::width() const { return color_ ? color_->width() : depth_->width(); }
+int Framebuffer::height() const { return color_ ? color_->height() : depth_->height(); }
+
+void Framebuffer::resize(int width, int height) {
+    if (color_) color_->resize(width, height);
+    if (depth_) depth_->resize(width, height);
+}
+
+void Framebuffer::bind() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, id_);
+    glViewport(0, 0, width(), height());
+}
+
+void Framebuffer::clear_color(const glm::vec4& color) const {
+    bind();
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glClearBufferfv(GL_COLOR, 0, &color.x);
+}
+
+void Framebuffer::clear_words(const glm::uvec4& words) const {
+    bind();
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glClearBufferuiv(GL_COLOR, 0, &words.x);
+}
+
+void Framebuffer::clear_depth() const {
+    bind();
+    const float far_plane = 1.0f;
+    glDepthMask(GL_TRUE);
+    glClearBufferfv(GL_DEPTH, 0, &far_plane);
+}
+
+std::vector<std::uint8_t> Framebuffer::read_pixels() const {
+    bind();
+    ++context_->counters().read_backs;
+    const std::size_t row = std::size_t(width()) * 4;
+    std::vector<std::uint8_t> pixels(row * std::size_t(height()));
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glReadPixels(0, 0, width(), height(), GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    flip_rows(pixels, row, height());
+    return pixels;
+}
+
+std::vector<std::uint32_t> Framebuffer::read_words() const {
+    bind();
+    ++context_->counters().read_backs;
+    // ES guarantees four words a pixel only.
+    std::vector<std::uint32_t> four(std::size_t(width()) * std::size_t(height()) * 4);
+    glReadPixels(0, 0, width(), height(), GL_RGBA_INTEGER, GL_UNSIGNED_INT, four.data());
+    flip_rows(four, std::size_t(width()) * 4, height());
+    std::vector<std::uint32_t> two(four.size() / 2);
+    for (std::size_t i = 0; i < two.size() / 2; ++i) {
+        two[2 * i] = four[4 * i];
+        two[2 * i + 1] = four[4 * i + 1];
+    }
+    return two;
+}
+
+void Framebuffer::copy_to(Framebuffer& destination, Part part) const {
+    assert(width() == destination.width() && height() == destination.height());
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, id_);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, destination.id_);
+    const GLbitfield mask = part == Part::color ? GL_COLOR_BUFFER_BIT : GL_DEPTH_BUFFER_BIT;
+    glBlitFramebuffer(0, 0, width(), height(), 0, 0, width(), height(), mask, GL_NEAREST);
+}
+
+void bind_foreign_framebuffer(unsigned id, int width, int height) {
+    glBindFramebuffer(GL_FRAMEBUFFER, id);
+    glViewport(0, 0, width, height);
+}
+
+}  // namespace croquis::gpu

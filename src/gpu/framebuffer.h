@@ -1,0 +1,56 @@
+// Framebuffers: what passes draw to, and reading pictures back.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec4.hpp>
+#include <memory>
+#include <vector>
+
+#include "gpu/context.h"
+#include "gpu/texture.h"
+
+namespace croquis::gpu {
+
+/// A colour texture and a depth texture to draw to. Either may be missing.
+class Framebuffer {
+public:
+    Framebuffer(Context& context, std::shared_ptr<Texture> color, std::shared_ptr<Texture> depth);
+    ~Framebuffer();
+    Framebuffer(const Framebuffer&) = delete;
+    Framebuffer& operator=(const Framebuffer&) = delete;
+
+    [[nodiscard]] const std::shared_ptr<Texture>& color() const { return color_; }
+    [[nodiscard]] const std::shared_ptr<Texture>& depth() const { return depth_; }
+    [[nodiscard]] int width() const;
+    [[nodiscard]] int height() const;
+
+    /// Resizes the textures. Contents are lost when the size changes.
+    void resize(int width, int height);
+
+    /// Draws go here, over the whole of it, from now on.
+    void bind() const;
+
+    void clear_color(const glm::vec4& color) const;
+    void clear_words(const glm::uvec4& words) const;  ///< for integer formats
+    void clear_depth() const;                         ///< to the far plane
+
+    /// The colours as 8-bit RGBA, rows from top to bottom. Waits for the picture: counted as a read-back.
+    [[nodiscard]] std::vector<std::uint8_t> read_pixels() const;
+    /// The words of an rg32ui target, two a pixel, rows from top to bottom. Counted as a read-back.
+    [[nodiscard]] std::vector<std::uint32_t> read_words() const;
+
+    /// Copies the colour or the depth to another framebuffer of the same size and formats.
+    enum class Part { color, depth };
+    void copy_to(Framebuffer& destination, Part part) const;
+
+private:
+    Context* context_;
+    std::shared_ptr<Texture> color_;
+    std::shared_ptr<Texture> depth_;
+    unsigned id_ = 0;
+};
+
+/// Draws go to the caller's framebuffer object (0: the window) of that size.
+void bind_foreign_framebuffer(unsigned id, int width, int height);
+
+}  // namespace croquis::gpu

@@ -1,0 +1,3 @@
+#include "base/error.h"
+#include "model/readers.h"
+namespace croquis::model { RawModel read_through_assimp(const std::filesystem::path& path) { fail("{}: not yet", path.string()); } }

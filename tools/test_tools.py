@@ -1,0 +1,141 @@
+"""Tests of the shipped data: python3 -m unittest discover -s tools -p test_tools.py
+
+They read data/; that data/ is what the scripts make is checked by make_data.py --check.
+"""
+
+import math
+import pathlib
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+
+import make_models
+import meshes
+import teapot
+from make_data import DATA
+from shared import read_png, write_png
+
+TEXTURES = DATA / "textures"
+MODELS = DATA / "models"
+
+
+def lightness(pixel):
+    return sum(pixel) / 765
+
+
+class Pictures(unittest.TestCase):
+    def test_png_survives_writing_and_reading(self):
+        few = [[(x % 5 / 255, 0, y % 7 / 255) for x in range(80)] for y in range(70)]
+        many = [[(x / 255, y / 255, 0) for x in range(80)] for y in range(70)]
+        with tempfile.TemporaryDirectory() as folder:
+            for picture in (few, many):
+                path = pathlib.Path(folder) / "picture.png"
+                write_png(path, picture)
+                expected = [[tuple(round(c * 255) for c in p) for p in row] for row in picture]
+                self.assertEqual(read_png(path), expected)
+
+    def test_backgrounds_have_no_seams(self):
+        """Across the border, neighbours differ no more than neighbours do inside."""
+        paths = [*TEXTURES.glob("paper/*.png"), *TEXTURES.glob("canvas/*.png")]
+        self.assertEqual(len(paths), 6)
+        for path in paths:
+            rows = [[lightness(p) for p in row] for row in read_png(path)]
+            for lines in (rows, list(zip(*rows))):
+                with self.subTest(path=path.name):
+                    steps = [
+                        sum(abs(a - b) for a, b in zip(line, following)) / len(line)
+                        for line, following in zip(lines, lines[1:])
+                    ]
+                    seam = sum(abs(a - b) for a, b in zip(lines[-1], lines[0])) / len(lines)
+                    self.assertLessEqual(seam, max(steps) * 1.05)
+                    if path.name != "lined.png":
+                        self.assertLess(seam, 1.6 * sum(steps) / len(steps))
+
+    def test_papers_are_light_and_quiet(self):
+        for path in TEXTURES.glob("paper/*.png"):
+            values = [lightness(p) for row in read_png(path) for p in row]
+            mean = sum(values) / len(values)
+            deviation = math.sqrt(sum((v - mean) ** 2 for v in values) / len(values))
+            with self.subTest(path=path.name):
+                self.assertTrue(0.90 < mean < 0.98, mean)
+                self.assertLess(deviation, 0.04 if path.name == "lined.png" else 0.02)
+
+    def test_toon_maps_grow_lighter_and_keep_the_highlight_for_the_last_texel(self):
+        for path in TEXTURES.glob("toon/*.png"):
+            rows = read_png(path)
+            with self.subTest(path=path.name):
+                self.assertEqual((len(rows), len(rows[0])), (1, 256))
+        for name in ("three_tone", "four_tone"):
+            tones = [pixel[0] for pixel in read_png(TEXTURES / "toon" / f"{name}.png")[0]]
+            self.assertEqual(tones, sorted(tones))
+            self.assertEqual(tones.count(255), 1)
+            self.assertLess(tones[-2], 215)
+        self.assertEqual({p[0] for p in read_png(TEXTURES / "toon" / "two_tone.png")[0]}, {140, 255})
+
+    def test_checker_is_the_first_image(self):
+        self.assertEqual(min(TEXTURES.glob("images/*")).name, "checker.png")
+
+
+class Models(unittest.TestCase):
+    def check(self, mesh, euler, loops):
+        found = meshes.topology(mesh)
+        self.assertEqual((found.euler, found.boundary_loops), (euler, loops))
+        self.assertEqual((found.bad_edges, found.unused_points), (0, 0))
+        self.assertGreater(found.volume, 0)
+        self.assertGreater(found.smallest_area, 1e-6)
+        self.assertGreater(found.worst_normal, 0.05)
+        for normal in mesh.normals:
+            self.assertAlmostEqual(meshes.dot(normal, normal), 1, delta=1e-3)
+
+    def test_closed_models(self):
+        for name, euler in (("cube", 2), ("two_material_cube", 2), ("sphere", 2), ("torus_knot", 0)):
+            for mesh in meshes.read_obj(MODELS / f"{name}.obj"):
+                with self.subTest(mesh=mesh.name):
+                    self.check(mesh, euler, 0)
+
+    def test_every_object_of_the_scene_is_closed(self):
+        for mesh in meshes.read_obj(MODELS / "scene.obj"):
+            with self.subTest(mesh=mesh.name):
+                self.check(mesh, 2, 0)
+
+    def test_teapot_parts(self):
+        """Body and lid open where they meet, handle and spout at both ends; no cracks."""
+        parts = {mesh.name: mesh for mesh in meshes.read_obj(MODELS / "teapot.obj")}
+        self.assertEqual(list(parts), ["body", "lid", "handle", "spout"])
+        for name, euler, loops in (("body", 1, 1), ("lid", 1, 1), ("handle", 0, 2), ("spout", 0, 2)):
+            with self.subTest(mesh=name):
+                self.check(parts[name], euler, loops)
+
+    def test_teapot_patches(self):
+        """32 patches over the published points: 306, less 4 unused and 12 given twice."""
+        patches = [p for bands in teapot.parts().values() for group, _, _ in bands for p in group]
+        points = {tuple(round(c, 6) + 0.0 for c in q) for p in patches for row in p for q in row}
+        self.assertEqual((len(patches), len(points)), (32, 290))
+        for published in ((1.4, -0.784, 2.4), (-0.45, 0.8, 3.15), (3.525, 0.25, 2.49375),
+                          (-2.65, -0.3, 0.9375), (0.798, 1.425, 0.0)):
+            self.assertIn(published, points)
+
+    def test_materials_exist(self):
+        for path in MODELS.glob("*.obj"):
+            words = [line.split() for line in path.read_text().splitlines()]
+            used = {w[1] for w in words if w[0] == "usemtl"}
+            libraries = [MODELS / w[1] for w in words if w[0] == "mtllib"]
+            defined = {line.split()[1] for library in libraries
+                       for line in library.read_text().splitlines() if line.startswith("newmtl")}
+            with self.subTest(path=path.name):
+                self.assertEqual(used, defined)
+
+    def test_sphere_has_exactly_the_triangles_asked_for(self):
+        for triangles in (20, 22, 58, 78, 80, 1000, 4998):
+            mesh = make_models.sphere(triangles)
+            with self.subTest(triangles=triangles):
+                self.assertEqual(len(mesh.faces), triangles)
+                self.check(mesh, 2, 0)
+        for triangles in (18, 21):
+            self.assertRaises(ValueError, make_models.sphere, triangles)
+
+
+if __name__ == "__main__":
+    unittest.main()
