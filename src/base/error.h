@@ -1,12 +1,14 @@
-// Errors a user can make, and how they are told: what was expected, what was found, and where.
+// How errors are thrown: croquis::Error with a format, and with a place in a text file. A programmer's mistake is an
+// assert instead.
 #pragma once
 
 #include <fmt/format.h>
 
 #include <cstddef>
-#include <stdexcept>
 #include <string>
 #include <utility>
+
+#include "croquis/error.h"
 
 namespace croquis {
 
@@ -20,18 +22,6 @@ struct TextPosition {
     [[nodiscard]] std::string to_string() const;
 };
 
-/// A mistake in what the user gave: a file, a name, a value. One line, complete in itself, without a final stop.
-///
-/// A programmer's mistake is an assert instead.
-class Error : public std::runtime_error {
-public:
-    explicit Error(const std::string& message) : std::runtime_error(message) {}
-
-    /// The message led by its place: `my.technique:7:3: …`.
-    Error(const TextPosition& where, const std::string& message)
-        : std::runtime_error(where.to_string() + ": " + message) {}
-};
-
 /// Throws an Error from a format string.
 template <typename... Args>
 [[noreturn]] void fail(fmt::format_string<Args...> format, Args&&... args) {
@@ -41,7 +31,7 @@ template <typename... Args>
 /// Throws an Error at a place in a text file.
 template <typename... Args>
 [[noreturn]] void fail_at(const TextPosition& where, fmt::format_string<Args...> format, Args&&... args) {
-    throw Error(where, fmt::format(format, std::forward<Args>(args)...));
+    throw Error(where.to_string() + ": " + fmt::format(format, std::forward<Args>(args)...));
 }
 
 }  // namespace croquis

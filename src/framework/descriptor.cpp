@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 #include <unordered_set>
 #include <utility>
 
@@ -120,7 +119,7 @@ private:
         for (++next; next != chain.end(); ++next) {
             const auto left = static_cast<std::size_t>(chain.end() - next);
             if (left > most_shown) continue;
-            names += (left == most_shown ? " inherits … " : " inherits ") + (*next)->name();
+            names += (left == most_shown ? " inherits … inherits " : " inherits ") + (*next)->name();
         }
         const Word& at = last.statement.parent ? *last.statement.parent : last.statement.name;
         fail_at(position(last.file, at.where), "component \"{}\" inherits from itself: {}", last.name(), names);

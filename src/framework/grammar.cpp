@@ -44,12 +44,13 @@ struct Parsing {
 
     template <typename... Args>
     [[noreturn]] void fail_here(fmt::format_string<Args...> format, Args&&... args) {
-        throw Error(position(source.file(), here()), fmt::format(format, std::forward<Args>(args)...));
+        fail_at(position(source.file(), here()), format, std::forward<Args>(args)...);
     }
 
     [[noreturn]] void fail_expected(std::string_view expected, std::span<const std::string> keywords) {
         std::string tail = suggestion(source.word(next), keywords);
-        if (next >= source.text().size() && !open.empty()) {
+        // An opening bracket where none belongs most likely begins what should stand after the open one.
+        if (!open.empty() && (next >= source.text().size() || source.text()[next] == '{')) {
             tail = fmt::format("; the '{{' of {} in line {} is not closed", open.back().what, open.back().line);
         }
         fail_here("expected {}, found {}{}", expected, source.found(next), tail);

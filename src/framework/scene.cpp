@@ -2,8 +2,10 @@
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <fmt/format.h>
 
 #include "base/names.h"
+#include "model/posed_shape.h"
 
 namespace croquis::framework {
 namespace {
@@ -145,7 +147,7 @@ void Scene::draw_edges(const ObjectSelection& selection) {
 // The edges of a mesh are those whose first face is its own, so that an edge between two meshes is drawn once.
 std::unique_ptr<gpu::Geometry> Scene::make_edges(std::size_t mesh) const {
     const model::Topology& topology = model_->topology();
-    const model::WeldedShape shape = model::welded_shape(*model_, topology, pose());
+    const model::PosedShape shape = model::posed_shape(*model_, pose());
     std::vector<EdgeInstance> edges;
     for (const model::Edge& edge : topology.edges) {
         if (topology.faces[edge.faces[0]].mesh != mesh) continue;

@@ -74,7 +74,7 @@ private:
         try {
             return find_(name);
         } catch (const Error& error) {
-            throw Error(where, error.what());
+            fail_at(where, "{}", error.what());
         }
     }
 
@@ -83,7 +83,7 @@ private:
         const TextPosition component_where = position(file, component.where);
         PassDefinition pass;
         pass.component = descriptors_.find(component.text);
-        if (pass.component == nullptr) throw Error(component_where, descriptors_.why_missing(component.text));
+        if (pass.component == nullptr) fail_at(component_where, "{}", descriptors_.why_missing(component.text));
         if (component.text == every_component) {
             fail_at(component_where, "component {} only lends its variables to the others; no pass can use it",
                     every_component);

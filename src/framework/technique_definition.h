@@ -43,9 +43,9 @@ using FindTechnique = std::function<Descriptors::Source(const std::string& name)
 ///     pass COMPONENT NAME { variable value ; … } ;
 ///     modify NAME { variable value ; … } ;      # changes values of an earlier pass, an included one for instance
 ///
-/// The pass's name may be left out. `#` starts a comment. Throws Error at the place of the first mistake: unknown
-/// component or variable (with the nearest name), wrong type, a variable without default that got no value, a cycle of
-/// includes, two passes of one name. Out-of-range values warn and clamp.
+/// The pass's name may be left out, and so may the braces (`pass COMPONENT ;`). `#` starts a comment. Throws Error at
+/// the place of the first mistake: unknown component or variable (with the nearest name), wrong type, a variable
+/// without default that got no value, a cycle of includes, two passes of one name. Out-of-range values warn and clamp.
 [[nodiscard]] TechniqueDefinition read_technique(const std::string& name, const Descriptors::Source& source,
                                                  const Descriptors& descriptors, const FindTechnique& find);
 

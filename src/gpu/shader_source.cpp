@@ -50,7 +50,7 @@ private:
             try {
                 append(match[1].str());
             } catch (const Error& error) {
-                throw Error(TextPosition{file.path, line_number, 1}, error.what());
+                fail_at({file.path, line_number, 1}, "{}", error.what());
             }
             source_.text += fmt::format("#line {} {}\n", line_number + 1, number);
         }

@@ -87,7 +87,11 @@ void drop_unused_vertices(Mesh& mesh, MeshRig* rig) {
     if (kept.size() < mesh.positions.size()) keep_vertices(mesh, rig, kept, number_of);
 }
 
-void join_vertices(Mesh& mesh) {
+void join_vertices(Mesh& mesh, MeshRig* rig) {
+    if (rig != nullptr && (!rig->bones.empty() || !rig->shapes.empty())) return;
+    for (const std::uint32_t corner : mesh.triangles) {
+        if (corner >= mesh.positions.size()) return;  // `finish` sorts that out
+    }
     const auto count = static_cast<std::uint32_t>(mesh.positions.size());
     std::vector<std::uint32_t> slots(std::bit_ceil(std::size_t{count} + count / 2 + 2), unused);
     std::vector<std::uint32_t> number_of(count), kept;
@@ -100,7 +104,7 @@ void join_vertices(Mesh& mesh) {
         }
         number_of[v] = slots[slot];
     }
-    if (kept.size() < count) keep_vertices(mesh, nullptr, kept, number_of);
+    if (kept.size() < count) keep_vertices(mesh, rig, kept, number_of);
 }
 
 }  // namespace croquis::model

@@ -14,8 +14,8 @@ void append_copies(Mesh& mesh, MeshRig* rig, std::span<const std::uint32_t> sour
 /// Drops the vertices that no triangle names.
 void drop_unused_vertices(Mesh& mesh, MeshRig* rig);
 
-/// Makes one vertex of those that are alike in everything. For readers of formats that repeat vertices; not for
-/// meshes with a rig.
-void join_vertices(Mesh& mesh);
+/// Makes one vertex of those that are alike in everything. For readers of formats that repeat vertices. A mesh with
+/// bones or shapes stays as it is; `rig` may be null.
+void join_vertices(Mesh& mesh, MeshRig* rig = nullptr);
 
 }  // namespace croquis::model

@@ -45,7 +45,7 @@ TEST(TechniqueMessages, Syntax) {
          "closed"},
         {"pass render_phong x {\n\n\n\n  count 3\n  }", "file:6:3: expected ';' after the value, found '}'"},
         {"pass render_phong x {\n  count 3 ;\npass render_phong y {",
-         "file:3:21: expected ';' after the value, found '{'"},
+         "file:3:21: expected ';' after the value, found '{'; the '{' of pass \"x\" in line 1 is not closed"},
         {"pass render_phong x { } x", R"(file:1:25: expected "pass", "include", "modify" or "help", found "x")"},
         {"include edges ;", R"(file:1:9: expected the name of a technique in double quotes, found "edges")"},
         {"include \"edges\"", "file:1:16: expected ';' after the value, found the end of the file"},

@@ -1,5 +1,5 @@
 // Values and their text form: reading back what was written changes nothing; wrong text says what was expected.
-#include <bit>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>

@@ -1,0 +1,29 @@
+// Progress on a terminal; nothing in a pipe.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace croquis::app {
+
+/// A line on standard error that counts through a known number of things. Silent unless standard error is a terminal.
+class Progress {
+public:
+    explicit Progress(std::size_t total);
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    /// Says what is being worked on now.
+    void next(const std::string& what);
+
+private:
+    std::size_t total_;
+    std::size_t done_ = 0;
+    bool is_shown_;
+};
+
+/// Says on a terminal what was written; quiet in pipes.
+void report(const std::string& line);
+
+}  // namespace croquis::app

@@ -1,0 +1,216 @@
+// croquis render: models to pictures.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+#include "base/error.h"
+#include "base/names.h"
+#include "commands.h"
+#include "framework/data_folders.h"
+#include "parse.h"
+#include "progress.h"
+
+namespace croquis::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int exit_different = 1;
+constexpr const char* built_in_model = "teapot";
+
+struct RenderOptions {
+    Common common;
+    std::string model;
+    std::string input_folder;
+    std::string technique = "cartoon";
+    std::vector<std::string> settings;
+    std::string size = "1024x768";
+    std::string view = "1,0.7,1";
+    double fit = 0.9;
+    std::string eye, target;
+    std::string up = "0,1,0";
+    double field_of_view = 40;
+    std::string projection = "perspective";
+    std::string light;
+    std::string light_color = "white";
+    std::string background;
+    int samples = 1;
+    std::string animation;
+    double time = 0;
+    std::string texture;
+    std::uint64_t seed = 0;
+    std::string output;
+    std::string reference;
+    std::string threshold = "0.5";
+    bool list_passes = false;
+
+    void add_to(CLI::App& command);
+    [[nodiscard]] DrawOptions draw_options() const;
+};
+
+void RenderOptions::add_to(CLI::App& command) {
+    command.add_option("model", model, "Model file; a built-in teapot where none is named");
+    command.add_option("-o,--output", output, "PNG to write, - for standard output; MODEL.png where none is named. With --input-dir: a folder");
+    command.add_option("-t,--technique", technique, "Name of a technique, or path of a .technique file")->capture_default_str();
+    command.add_option("--set", settings, "pass.variable=value, as often as needed; croquis describe TECHNIQUE lists them");
+    command.add_option("--input-dir", input_folder, "Draw every model file of a folder");
+    command.add_option("--size", size, "Pixels, WIDTHxHEIGHT")->capture_default_str();
+    command.add_option("--view", view, "Direction from the box's centre to the eye, X,Y,Z, or front, back, left, right, top, bottom, iso")->capture_default_str();
+    command.add_option("--fit", fit, "Share of the frame that every vertex lies within")->capture_default_str();
+    command.add_option("--eye", eye, "Position of the eye, X,Y,Z, in place of --view and --fit");
+    command.add_option("--target", target, "Point looked at, X,Y,Z; the box's centre where none is named");
+    command.add_option("--up", up, "Direction that points up in the picture")->capture_default_str();
+    command.add_option("--fov", field_of_view, "Field of view of the frame's height, degrees")->capture_default_str();
+    command.add_option("--projection", projection, "perspective or parallel")->capture_default_str();
+    command.add_option("--light", light, "Direction to the light X,Y,Z in the world; viewer:X,Y,Z along the camera's right, up, back; point:X,Y,Z a position");
+    command.add_option("--light-color", light_color, "R,G,B, #RRGGBB or a name")->capture_default_str();
+    command.add_option("--background", background, "R,G,B, #RRGGBB, a name, transparent, or an image as directory:image (paper:plain)");
+    command.add_option("--samples", samples, "Samples a pixel: 1, 4, 9 or 16")->capture_default_str();
+    command.add_option("--animation", animation, "Name of one of the model's animations");
+    command.add_option("--time", time, "Seconds into the animation")->capture_default_str();
+    command.add_option("--texture", texture, "Image for all surfaces in place of the materials' own");
+    command.add_option("--seed", seed, "Seed of everything random")->capture_default_str();
+    command.add_option("--reference", reference, "Picture to compare with; exit status 1 when it differs");
+    command.add_option("--threshold", threshold, "Largest mean difference, or MEAN,MAXIMUM, in levels of 0 to 255")->capture_default_str();
+    command.add_flag("--list-passes", list_passes, "Print the passes, each with its time");
+    common.add_to(command);
+}
+
+DrawOptions RenderOptions::draw_options() const {
+    DrawOptions options;
+    const Size pixels = parse_size(size, "--size");
+    options.width = pixels.width;
+    options.height = pixels.height;
+    options.samples = samples;
+    options.view.direction = parse_view(view);
+    options.view.fit = fit;
+    if (!eye.empty()) options.view.eye = parse_vector(eye, "--eye");
+    if (!target.empty()) options.view.target = parse_vector(target, "--target");
+    options.view.up = parse_vector(up, "--up");
+    options.view.field_of_view = field_of_view;
+    if (projection != "perspective" && projection != "parallel") {
+        const std::vector<std::string> known{"perspective", "parallel"};
+        fail("--projection: expected perspective or parallel, found \"{}\"{}", projection, suggestion(projection, known));
+    }
+    options.view.parallel = projection == "parallel";
+    if (!light.empty()) options.light = parse_light(light);
+    options.light.color = parse_color(light_color, "--light-color");
+    if (!background.empty()) options.background = parse_background(background);
+    options.animation = animation;
+    options.time = time;
+    options.seed = seed;
+    return options;
+}
+
+// One model to draw and where its picture goes; no output where it is only compared.
+struct Job {
+    std::string model;
+    std::string output;
+};
+
+std::string built_in_model_path(const RenderOptions& options) {
+    const auto folders =
+        framework::DataFolders::find({options.common.data_folders.begin(), options.common.data_folders.end()});
+    const fs::path path = folders.find("models", built_in_model, ".obj");
+    if (path.empty()) fail("no built-in model: no data folder has models/{}.obj", built_in_model);
+    return path.string();
+}
+
+std::vector<Job> single_job(const RenderOptions& options) {
+    Job job{options.model.empty() ? built_in_model_path(options) : options.model, options.output};
+    const bool only_compares = !options.reference.empty() || options.list_passes;
+    if (job.output.empty() && !only_compares) job.output = fs::path(job.model).stem().string() + ".png";
+    return {job};
+}
+
+bool is_readable(const fs::path& path) {
+    std::string ending = path.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    const std::vector<std::string> endings = Model::readable_endings();
+    return std::find(endings.begin(), endings.end(), ending) != endings.end();
+}
+
+std::vector<Job> folder_jobs(const RenderOptions& options) {
+    if (!options.model.empty()) fail("expected a model or --input-dir, found both");
+    if (!options.reference.empty()) fail("--reference compares one picture: it does not go with --input-dir");
+    std::error_code error;
+    if (!fs::is_directory(options.input_folder, error)) fail("{}: no such folder", options.input_folder);
+    const fs::path output = options.output.empty() ? fs::path(".") : fs::path(options.output);
+    if (!fs::is_directory(output, error)) fail("{}: expected a folder for the pictures of --input-dir", output.string());
+    std::vector<fs::path> models;
+    for (const fs::directory_entry& entry : fs::directory_iterator(options.input_folder, error)) {
+        if (entry.is_regular_file(error) && is_readable(entry.path())) models.push_back(entry.path());
+    }
+    if (models.empty()) fail("{}: no model file in this folder", options.input_folder);
+    std::sort(models.begin(), models.end());
+    std::vector<Job> jobs;
+    for (const fs::path& model : models) {
+        // Two models of one stem keep their endings, so that neither picture replaces the other.
+        const auto same_stem = std::count_if(models.begin(), models.end(),
+                                             [&](const fs::path& other) { return other.stem() == model.stem(); });
+        const fs::path name = same_stem > 1 ? model.filename() : model.stem();
+        jobs.push_back({model.string(), (output / name).string() + ".png"});
+    }
+    return jobs;
+}
+
+void print_passes(Renderer& renderer, const Model& model, Technique& technique, const DrawOptions& draw) {
+    (void)renderer.time_passes(model, technique, draw);  // the first frame compiles and uploads
+    double sum = 0;
+    for (const PassTime& time : renderer.time_passes(model, technique, draw)) {
+        fmt::print("{:9.3f} ms  {}\n", time.milliseconds, time.pass);
+        sum += time.milliseconds;
+    }
+    fmt::print("{:9.3f} ms  all passes\n", sum);
+}
+
+// True when the picture is within the threshold of the reference.
+bool matches_reference(const Picture& picture, const RenderOptions& options) {
+    const Picture::Difference allowed = parse_threshold(options.threshold);
+    const Picture::Difference found = picture.difference_from(Picture::read(options.reference));
+    if (found.mean <= allowed.mean && found.maximum <= allowed.maximum) return true;
+    fmt::print(stderr, "croquis: {}: the picture differs: mean {:.3f}, maximum {} (allowed: mean {}, maximum {})\n",
+               options.reference, found.mean, found.maximum, allowed.mean, allowed.maximum);
+    return false;
+}
+
+int run(const RenderOptions& options) {
+    const DrawOptions draw = options.draw_options();
+    (void)parse_threshold(options.threshold);
+    const std::vector<Job> jobs = options.input_folder.empty() ? single_job(options) : folder_jobs(options);
+    Renderer renderer = Renderer::headless(options.common.choice());
+    Technique technique = renderer.open_technique(options.technique, options.settings);
+    Progress progress(jobs.size());
+    int failures = 0;
+    bool all_match = true;
+    for (const Job& job : jobs) {
+        progress.next(job.model);
+        try {
+            const Model model = Model::load(job.model, options.texture);
+            const Picture picture = renderer.draw(model, technique, draw);
+            if (!options.reference.empty()) all_match = matches_reference(picture, options) && all_match;
+            if (!job.output.empty()) picture.save(job.output);
+            if (!job.output.empty() && job.output != "-") report("wrote " + job.output);
+            if (options.list_passes) print_passes(renderer, model, technique, draw);
+        } catch (const Error& error) {
+            if (jobs.size() == 1) throw;
+            fmt::print(stderr, "croquis: {}\n", error.what());  // the other models are drawn all the same
+            ++failures;
+        }
+    }
+    if (failures > 0) fail("{} of {} models could not be drawn", failures, jobs.size());
+    return all_match ? 0 : exit_different;
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& program, Commands& commands) {
+    CLI::App* command = program.add_subcommand("render", "Draws models to PNG pictures");
+    const auto options = std::make_shared<RenderOptions>();
+    options->add_to(*command);
+    commands[command] = [options] { return run(*options); };
+}
+
+}  // namespace croquis::app

@@ -1,0 +1,8 @@
+// All of Croquis in one header: load a model, open a technique, set its variables, draw, save.
+#pragma once
+
+#include "croquis/error.h"
+#include "croquis/model.h"
+#include "croquis/picture.h"
+#include "croquis/renderer.h"
+#include "croquis/view.h"

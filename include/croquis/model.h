@@ -1,0 +1,48 @@
+// Models, read from files.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace croquis {
+
+namespace model {
+struct Model;
+}
+
+/// A stretch of movement that a model brings along.
+struct Animation {
+    std::string name;
+    double seconds = 0;
+};
+
+/// A model: meshes, materials, textures, animations. It does not change; copies share it.
+class Model {
+public:
+    /// Reads OBJ (+MTL), MD2, OFF, ASE, PLY, STL, glTF 2 (.gltf, .glb), 3DS or VRML 2 (.wrl), by the file's ending.
+    ///
+    /// `texture` is an image for all surfaces in place of the materials' own, the skin of an MD2 for one. Throws Error
+    /// for a file that is missing, damaged or without surfaces.
+    [[nodiscard]] static Model load(const std::string& path, const std::string& texture = {});
+
+    /// The endings that `load` reads, each with its dot, in lower case.
+    [[nodiscard]] static std::vector<std::string> readable_endings();
+
+    [[nodiscard]] std::size_t triangle_count() const;
+    [[nodiscard]] std::size_t mesh_count() const;
+    [[nodiscard]] std::vector<Animation> animations() const;
+
+    /// Two opposite corners of the bounding box, in the file's coordinates.
+    [[nodiscard]] std::array<double, 3> low_corner() const;
+    [[nodiscard]] std::array<double, 3> high_corner() const;
+
+private:
+    friend class Renderer;
+    explicit Model(std::shared_ptr<const model::Model> model) : model_(std::move(model)) {}
+    std::shared_ptr<const model::Model> model_;
+};
+
+}  // namespace croquis

@@ -1,0 +1,225 @@
+#include "croquis/renderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "api/frame.h"
+#include "api/handles.h"
+#include "base/error.h"
+#include "components/register.h"
+#include "gpu/state.h"
+#include "model/animation.h"
+
+namespace croquis {
+namespace {
+
+constexpr double radians_per_degree = 3.14159265358979323846 / 180.0;
+
+glm::dvec3 as_vector(const Vector3& v) { return {v[0], v[1], v[2]}; }
+
+std::optional<glm::dvec3> as_vector(const std::optional<Vector3>& v) {
+    return v ? std::optional(as_vector(*v)) : std::nullopt;
+}
+
+model::ViewRequest view_request(const View& view) {
+    return {.direction = as_vector(view.direction),
+            .fit = view.fit,
+            .eye = as_vector(view.eye),
+            .target = as_vector(view.target),
+            .up = as_vector(view.up),
+            .field_of_view = view.field_of_view * radians_per_degree,
+            .projection = view.parallel ? model::Projection::parallel : model::Projection::perspective};
+}
+
+framework::Light light_in_scene(const Light& light, const model::Model& model) {
+    using Scene = framework::Light;
+    Scene scene;
+    scene.bound = light.bound == Light::Bound::viewer ? Scene::Bound::viewer : Scene::Bound::world;
+    scene.kind = light.bound == Light::Bound::point ? Scene::Kind::point : Scene::Kind::direction;
+    scene.place = as_vector(light.place);
+    if (scene.kind == Scene::Kind::point) scene.place = model::SceneSpace::of(model).from_file(scene.place);
+    if (scene.kind == Scene::Kind::direction && !(glm::length(scene.place) > 0)) {
+        fail("expected the light to have a direction, found 0,0,0");
+    }
+    scene.color = glm::vec3(as_vector(light.color));
+    return scene;
+}
+
+// Pixels along one pixel of the picture for so many samples of it.
+int pixel_scale(int samples) {
+    for (int side = 1; side <= 4; ++side) {
+        if (side * side == samples) return side;
+    }
+    fail("expected 1, 4, 9 or 16 samples a pixel, found {}", samples);
+}
+
+framework::DataFolders find_folders(const std::vector<std::string>& users_own) {
+    return framework::DataFolders::find({users_own.begin(), users_own.end()});
+}
+
+}  // namespace
+
+struct Renderer::State {
+    State(std::unique_ptr<gpu::Context> made, framework::DataFolders folders)
+        : context(std::move(made)),
+          library(std::make_shared<const framework::Library>(folders)),
+          resources(*context, std::move(folders)),
+          components(components::core_components()),
+          frame(resources) {}
+
+    struct Uploaded {
+        std::weak_ptr<const model::Model> model;
+        std::unique_ptr<framework::Scene> scene;
+        std::string animation;
+        double time = 0;
+    };
+    Uploaded& upload(const std::shared_ptr<const model::Model>& model);
+    static void pose(Uploaded& uploaded, const DrawOptions& options);
+    std::optional<framework::Background> background(const DrawOptions& options);
+    void draw_frame(const std::shared_ptr<const model::Model>& model, framework::Technique& technique,
+                    const DrawOptions& options, gpu::StretchTimer* timer);
+
+    std::unique_ptr<gpu::Context> context;
+    std::shared_ptr<const framework::Library> library;
+    framework::Resources resources;
+    framework::ComponentTable components;
+    Frame frame;
+    std::map<const model::Model*, Uploaded> scenes;
+};
+
+// Models that nobody but their scene holds any more are dropped from the GPU.
+Renderer::State::Uploaded& Renderer::State::upload(const std::shared_ptr<const model::Model>& model) {
+    std::erase_if(scenes, [&](const auto& entry) {
+        return entry.first != model.get() && entry.second.model.use_count() <= 1;
+    });
+    Uploaded& uploaded = scenes[model.get()];
+    if (!uploaded.scene) {
+        uploaded.scene = std::make_unique<framework::Scene>(resources, model);
+        uploaded.model = model;
+    }
+    return uploaded;
+}
+
+// Vertices are moved only when another moment is asked for.
+void Renderer::State::pose(Uploaded& uploaded, const DrawOptions& options) {
+    if (uploaded.animation == options.animation && uploaded.time == options.time) return;
+    if (options.animation.empty()) {
+        uploaded.scene->clear_pose();
+    } else {
+        const model::Model& model = uploaded.scene->model();
+        uploaded.scene->set_pose(model::pose_at(model, model::find_clip(model, options.animation), options.time));
+    }
+    uploaded.animation = options.animation;
+    uploaded.time = options.time;
+}
+
+std::optional<framework::Background> Renderer::State::background(const DrawOptions& options) {
+    if (!options.background) return std::nullopt;
+    framework::Background background;
+    background.color = glm::vec4(glm::vec3(as_vector(options.background->color)), options.background->transparent ? 0 : 1);
+    if (!options.background->texture.empty()) {
+        background.image = resources.image(framework::TextureName::parse(options.background->texture));
+        background.tiled = resources.program("image:full_screen", "image:tiled");
+    }
+    return background;
+}
+
+void Renderer::State::draw_frame(const std::shared_ptr<const model::Model>& model, framework::Technique& technique,
+                                 const DrawOptions& options, gpu::StretchTimer* timer) {
+    const int scale = pixel_scale(options.samples);
+    const int longest = context->longest_side() / scale;
+    if (options.width < 1 || options.height < 1 || options.width > longest || options.height > longest) {
+        fail("expected a size of 1x1 to {}x{} pixels, found {}x{}", longest, longest, options.width, options.height);
+    }
+    context->make_current();
+    Uploaded& uploaded = upload(model);
+    pose(uploaded, options);
+    framework::Scene& scene = *uploaded.scene;
+    frame.resize(options.width, options.height, scale);
+    const model::Camera camera = model::place_camera(*model, scene.pose(), view_request(options.view),
+                                                     double(options.width) / double(options.height));
+    const framework::Light light = light_in_scene(options.light, *model);
+    framework::RenderContext render{.resources = resources,
+                                    .scene = scene,
+                                    .camera = camera,
+                                    .light = light,
+                                    .frame = frame.target(),
+                                    .background = background(options),
+                                    .pixel_scale = scale,
+                                    .seed = options.seed,
+                                    .time = options.time};
+    render.clear_frame(glm::vec3(1.0f));
+    render.frame.clear_depth();
+    technique.draw(render, timer);
+}
+
+Renderer::Renderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+Renderer::~Renderer() {
+    if (state_) state_->context->make_current();
+}
+
+Renderer Renderer::headless(const Choice& choice) {
+    framework::DataFolders folders = find_folders(choice.data_folders);
+    gpu::ContextOptions options = gpu::ContextOptions::from_environment();
+    if (!choice.api.empty()) options.api = gpu::api_named(choice.api);
+    if (!choice.device.empty()) options.device = gpu::device_named(choice.device);
+    return Renderer(std::make_unique<State>(gpu::Context::headless(options), std::move(folders)));
+}
+
+Renderer Renderer::in_current_context(const std::vector<std::string>& data_folders) {
+    return Renderer(std::make_unique<State>(gpu::Context::current(), find_folders(data_folders)));
+}
+
+RendererInfo Renderer::info() const {
+    const gpu::Context& context = *state_->context;
+    RendererInfo info{.api = context.api() == gpu::Api::gl ? "OpenGL 3.3" : "OpenGL ES 3.0",
+                      .version = context.version(),
+                      .renderer = context.renderer(),
+                      .platform = context.platform(),
+                      .is_software = context.is_software(),
+                      .data_folders = {}};
+    for (const auto& folder : state_->library->folders().folders()) info.data_folders.push_back(folder.string());
+    return info;
+}
+
+std::vector<std::string> Renderer::technique_names() const { return state_->library->technique_names(); }
+
+Technique Renderer::open_technique(const std::string& name_or_path, const std::vector<std::string>& settings) {
+    state_->context->make_current();
+    framework::TechniqueDefinition definition = state_->library->technique(name_or_path);
+    for (const std::string& setting : settings) framework::assign(definition, setting);
+    return Technique(std::unique_ptr<Technique::Opened>(new Technique::Opened{
+        framework::Technique(state_->library, definition, state_->resources, state_->components)}));
+}
+
+Picture Renderer::draw(const Model& model, Technique& technique, const DrawOptions& options) {
+    state_->draw_frame(model.model_, technique.opened_->technique, options, nullptr);
+    return Picture(options.width, options.height, state_->frame.read());
+}
+
+void Renderer::draw_into(unsigned framebuffer, const Model& model, Technique& technique, const DrawOptions& options) {
+    const gpu::SavedState saved;
+    state_->draw_frame(model.model_, technique.opened_->technique, options, nullptr);
+    state_->frame.present(framebuffer);
+}
+
+std::vector<PassTime> Renderer::time_passes(const Model& model, Technique& technique, const DrawOptions& options) {
+    gpu::StretchTimer timer(*state_->context);
+    state_->draw_frame(model.model_, technique.opened_->technique, options, &timer);
+    const std::vector<double> milliseconds = timer.milliseconds();
+    const std::vector<std::string> names = technique.pass_names();
+    std::vector<PassTime> times;
+    for (std::size_t i = 0; i < names.size(); ++i) times.push_back({names[i], milliseconds[i]});
+    return times;
+}
+
+Renderer::Counts Renderer::counts() const {
+    const gpu::Counters& counters = state_->context->counters();
+    return {counters.live_objects(),   counters.draws,           counters.read_backs,
+            counters.programs_linked, counters.texture_uploads, counters.geometry_uploads};
+}
+
+}  // namespace croquis

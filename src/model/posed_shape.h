@@ -1,0 +1,20 @@
+// The welded topology's points and face normals at rest or in a pose; who touches whom never changes.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "model/animation.h"
+#include "model/model.h"
+
+namespace croquis::model {
+
+struct PosedShape {
+    std::vector<glm::vec3> positions;     ///< one a welded vertex
+    std::vector<glm::vec3> face_normals;  ///< one a face, unit; zero for a face that the pose has folded to nothing
+};
+
+/// The shape of `model.topology()` at rest (`pose` null) or in a pose.
+[[nodiscard]] PosedShape posed_shape(const Model& model, const Pose* pose);
+
+}  // namespace croquis::model
