@@ -34,7 +34,7 @@ public:
 
 private:
     void append_lines(const ShaderFile& file, std::size_t number) {
-        static const std::regex include(R"re(^\s*#\s*include\s+"([^"]*)"\s*$)re");
+        static const std::regex include(R"re(^\s*#\s*include\s+"([^"]*?)(?:\.glsl)?"\s*$)re");
         std::istringstream lines(file.text);
         std::string line;
         std::size_t line_number = 0;
