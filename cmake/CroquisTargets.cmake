@@ -30,7 +30,7 @@ function(croquis_package target)
   pkg_check_modules(${target} REQUIRED IMPORTED_TARGET ${ARGN})
 endfunction()
 
-# croquis_test(NAME SOURCES file... USES library... [GL]): a GoogleTest program. With GL it runs twice, on
+# croquis_test(NAME SOURCES file... USES library... [GL]): a GoogleTest program, labelled "unit". With GL it runs twice, on
 # OpenGL 3.3 and on OpenGL ES 3.0.
 function(croquis_test name)
   cmake_parse_arguments(ARG "GL" "" "SOURCES;USES" ${ARGN})
@@ -41,10 +41,10 @@ function(croquis_test name)
   if(ARG_GL)
     foreach(gl gl gles)
       add_test(NAME ${name}_${gl} COMMAND test_${name})
-      set_tests_properties(${name}_${gl} PROPERTIES ENVIRONMENT "${environment};CROQUIS_GL=${gl}" TIMEOUT 300)
+      set_tests_properties(${name}_${gl} PROPERTIES ENVIRONMENT "${environment};CROQUIS_GL=${gl}" TIMEOUT 300 LABELS unit)
     endforeach()
   else()
     add_test(NAME ${name} COMMAND test_${name})
-    set_tests_properties(${name} PROPERTIES ENVIRONMENT "${environment}" TIMEOUT 300)
+    set_tests_properties(${name} PROPERTIES ENVIRONMENT "${environment}" TIMEOUT 300 LABELS unit)
   endif()
 endfunction()
