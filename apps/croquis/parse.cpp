@@ -143,4 +143,16 @@ Picture::Difference parse_threshold(const std::string& text) {
     return {mean, int(maximum)};
 }
 
+std::string check_number(const std::string& text) {
+    double number = 0;
+    return parse_number(text, number) ? "" : fmt::format("expected a number, found \"{}\"", text);
+}
+
+std::string check_whole_number(const std::string& text) {
+    constexpr std::size_t most_digits = 18;
+    const bool is_good = !text.empty() && text.size() <= most_digits &&
+                         text.find_first_not_of("0123456789") == std::string::npos;
+    return is_good ? "" : fmt::format("expected a whole number, found \"{}\"", text);
+}
+
 }  // namespace croquis::app

@@ -32,4 +32,10 @@ struct Size {
 /// "2" or "2,40": the largest mean and, after a comma, the largest single difference that passes.
 [[nodiscard]] Picture::Difference parse_threshold(const std::string& text);
 
+/// What is wrong with text that should be a finite number, or nothing: for CLI::Option::check.
+[[nodiscard]] std::string check_number(const std::string& text);
+
+/// The same for a number of digits alone.
+[[nodiscard]] std::string check_whole_number(const std::string& text);
+
 }  // namespace croquis::app

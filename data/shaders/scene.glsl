@@ -5,7 +5,6 @@ uniform mat4 clip_from_scene;
 uniform mat4 eye_from_scene;
 uniform mat4 scene_from_model;
 uniform vec4 eye_scene;      // the eye's position (w = 1), or the direction to it in a parallel projection (w = 0)
-uniform vec3 view_back;      // unit, from what is looked at towards the eye
 uniform vec4 light_scene;    // the light's position (w = 1) or the unit direction to it (w = 0)
 uniform vec3 light_color;
 

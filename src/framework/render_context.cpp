@@ -23,6 +23,17 @@ glm::vec4 eye_in_scene(const model::Camera& camera) {
     return {glm::vec3(camera.eye), 1.0f};
 }
 
+// The direction from a pixel's surface to the eye is centre + x · right + y · top, for x and y from -1 to 1.
+struct Rays {
+    glm::vec3 centre, right, top;
+};
+
+Rays rays_to_eye(const model::Camera& camera, double aspect) {
+    if (camera.projection == model::Projection::parallel) return {glm::vec3(camera.back), {}, {}};
+    return {glm::vec3(camera.back), glm::vec3(-camera.right * camera.tangent * aspect),
+            glm::vec3(-camera.up * camera.tangent)};
+}
+
 }  // namespace
 
 void RenderContext::clear_frame(const glm::vec3& color) const {
@@ -57,7 +68,10 @@ void RenderContext::apply(const gpu::Program& program) const {
     program.set("clip_from_scene", clip_from_eye * eye_from_scene);
     program.set("scene_from_model", scene.scene_from_model());
     program.set("eye_scene", eye_in_scene(camera));
-    program.set("view_back", glm::vec3(camera.back));
+    const Rays rays = rays_to_eye(camera, aspect());
+    program.set("ray_centre", rays.centre);
+    program.set("ray_right", rays.right);
+    program.set("ray_top", rays.top);
     program.set("light_scene", light_in_scene(light, camera));
     program.set("light_color", light.color);
     program.set("near_plane", float(camera.near_plane));

@@ -1,4 +1,4 @@
-// OFF, ASE, PLY, STL, glTF and 3DS through Assimp, which only parses: polygons are cut, vertices joined and normals
+// OFF, ASE, STL, glTF and 3DS through Assimp, which only parses: polygons are cut, vertices joined and normals
 // computed by our own code, alike for all formats.
 #include <assimp/BaseImporter.h>
 #include <assimp/importerdesc.h>
@@ -52,7 +52,8 @@ const aiScene& read_scene(Assimp::Importer& importer, const std::filesystem::pat
     } catch (const std::exception& exception) {
         reason = exception.what();
     }
-    if (scene == nullptr) fail("{}: expected a sound {} file, found: {}", path.string(), ending.substr(1), one_line(reason));
+    if (scene == nullptr)
+        fail("{}: expected a sound {} file, found: {}", path.string(), ending.substr(1), one_line(reason));
     if (scene->mRootNode == nullptr) fail_without_triangles(path.string(), false);
     return *scene;
 }
@@ -168,7 +169,8 @@ std::vector<SceneNode> nodes_of(const aiScene& scene, const std::string& name) {
     nodes.push_back({scene.mRootNode, -1, to_glm(scene.mRootNode->mTransformation)});
     for (std::size_t n = 0; n < nodes.size(); ++n) {
         const SceneNode parent = nodes[n];
-        if (nodes.size() + parent.node->mNumChildren > most_nodes) fail("{}: expected fewer than {} nodes", name, most_nodes);
+        if (nodes.size() + parent.node->mNumChildren > most_nodes)
+            fail("{}: expected fewer than {} nodes", name, most_nodes);
         for (std::uint32_t c = 0; c < parent.node->mNumChildren; ++c) {
             const aiNode* const child = parent.node->mChildren[c];
             nodes.push_back({child, static_cast<std::int32_t>(n), parent.to_model * to_glm(child->mTransformation)});

@@ -22,7 +22,8 @@ std::shared_ptr<const image::Image> embedded_image(const aiTexture& texture, con
         const auto bytes = std::as_bytes(std::span(reinterpret_cast<const char*>(texture.pcData), texture.mWidth));
         return std::make_shared<const image::Image>(image::decode(bytes, name));
     }
-    if (texture.mWidth > unsigned(image::longest_side) || texture.mHeight > unsigned(image::longest_side)) return nullptr;
+    if (texture.mWidth > unsigned(image::longest_side) || texture.mHeight > unsigned(image::longest_side))
+        return nullptr;
     auto image = std::make_shared<image::Image>(int(texture.mWidth), int(texture.mHeight));
     for (std::size_t i = 0; i < image->pixels().size(); ++i) {
         const aiTexel& texel = texture.pcData[i];
@@ -53,7 +54,8 @@ void read_gloss(const aiMaterial& given, Material& material) {
         material.shininess = sensible_shininess(2.0f / std::max(std::pow(roughness, 4.0f), 1e-6f) - 2.0f);
         return;
     }
-    material.specular = given.Get(AI_MATKEY_COLOR_SPECULAR, color) == aiReturn_SUCCESS ? clamped(color) : glm::vec3(0.0f);
+    material.specular =
+        given.Get(AI_MATKEY_COLOR_SPECULAR, color) == aiReturn_SUCCESS ? clamped(color) : glm::vec3(0.0f);
     float strength = 1, shininess = 0;
     if (given.Get(AI_MATKEY_SHININESS_STRENGTH, strength) == aiReturn_SUCCESS && std::isfinite(strength)) {
         material.specular *= std::clamp(strength, 0.0f, 1.0f);
@@ -64,8 +66,8 @@ void read_gloss(const aiMaterial& given, Material& material) {
 
 }  // namespace
 
-Material read_material(const aiMaterial& given, const aiScene& scene, const std::string& ending, const std::string& name,
-                       TextureFinder& textures) {
+Material read_material(const aiMaterial& given, const aiScene& scene, const std::string& ending,
+                       const std::string& name, TextureFinder& textures) {
     if (ending == ".stl" || ending == ".off") return plain_material();  // formats without materials: Assimp invents one
     Material material;
     material.name = given.GetName().C_Str();
@@ -81,8 +83,9 @@ Material read_material(const aiMaterial& given, const aiScene& scene, const std:
         attach_texture(texture.C_Str(), scene, name, textures, material);
         if (material.texture && material.diffuse == glm::vec3(0.0f)) material.diffuse = glm::vec3(1.0f);
     }
-    const bool has_ambient = given.Get(AI_MATKEY_COLOR_AMBIENT, color) == aiReturn_SUCCESS && ending != ".ply";
-    material.ambient = has_ambient ? sensible_ambient(clamped(color), material.diffuse) : default_ambient(material.diffuse);
+    const bool has_ambient = given.Get(AI_MATKEY_COLOR_AMBIENT, color) == aiReturn_SUCCESS;
+    material.ambient =
+        has_ambient ? sensible_ambient(clamped(color), material.diffuse) : default_ambient(material.diffuse);
     float opacity = 1;
     if (given.Get(AI_MATKEY_OPACITY, opacity) == aiReturn_SUCCESS && std::isfinite(opacity)) {
         material.opacity = std::clamp(opacity, 0.0f, 1.0f);

@@ -224,7 +224,8 @@ void place_at_rest(const PlacedMesh& placed, const MeshRig& rig, const std::vect
         if (!mesh.normals.empty()) mesh.normals[v] = glm::inverseTranspose(glm::mat3(blend)) * mesh.normals[v];
     }
     if (rig.bones.empty() && glm::determinant(glm::mat3(by_node)) < 0) {  // a mirror turns all faces inside out
-        for (std::size_t t = 0; t + 2 < mesh.triangles.size(); t += 3) std::swap(mesh.triangles[t + 1], mesh.triangles[t + 2]);
+        for (std::size_t t = 0; t + 2 < mesh.triangles.size(); t += 3)
+            std::swap(mesh.triangles[t + 1], mesh.triangles[t + 2]);
     }
 }
 

@@ -36,7 +36,8 @@ struct PlacedMesh {
 };
 
 /// What bones, shapes and nodes make of one mesh; its positions are in the file's mesh space.
-[[nodiscard]] MeshRig rig_of(const PlacedMesh& placed, const std::unordered_map<std::string, std::uint32_t>& node_numbers);
+[[nodiscard]] MeshRig rig_of(const PlacedMesh& placed,
+                             const std::unordered_map<std::string, std::uint32_t>& node_numbers);
 
 /// Positions and normals at rest, in the model's space.
 void place_at_rest(const PlacedMesh& placed, const MeshRig& rig, const std::vector<SceneNode>& nodes, Mesh& mesh);

@@ -54,8 +54,8 @@ void set_axes(Camera& camera, const glm::dvec3& back, const glm::dvec3& up) {
 
 // A vertex at (x, y, z) from the target, along the camera's axes, lies within the share `fit` of the frame when the eye
 // stands at least z + max(|x| / aspect, |y|) / (fit · tangent) away.
-void stand_back(Camera& camera, const Model& model, const Pose* pose, const SceneSpace& space,
-                const glm::dvec3& target, double fit, double aspect) {
+void stand_back(Camera& camera, const Model& model, const Pose* pose, const SceneSpace& space, const glm::dvec3& target,
+                double fit, double aspect) {
     double distance = 0, half_height = 0, front = 0;
     for_each_vertex(model, pose, space, [&](const glm::dvec3& point) {
         const glm::dvec3 from_target = point - target;
@@ -88,7 +88,8 @@ void fit_planes(Camera& camera, const Model& model, const Pose* pose, const Scen
 }
 
 void check(const ViewRequest& request) {
-    if (!(request.fit > 0 && request.fit <= 1)) fail("expected the fit to be above 0 and at most 1, found {}", request.fit);
+    if (!(request.fit > 0 && request.fit <= 1))
+        fail("expected the fit to be above 0 and at most 1, found {}", request.fit);
     if (!(request.field_of_view > 0.001 && request.field_of_view < 3.1)) {
         fail("expected the field of view to be above 0.1 and below 178 degrees, found {}",
              request.field_of_view * 180 / 3.14159265358979);
@@ -159,7 +160,8 @@ Camera place_camera(const Model& model, const Pose* pose, const ViewRequest& req
     camera.tangent = std::tan(0.5 * request.field_of_view);
     if (request.eye) {
         camera.eye = space.from_file(*request.eye);
-        if (!is_usable(camera.eye - target)) fail("expected the eye to stand away from the target, found both at one point");
+        if (!is_usable(camera.eye - target))
+            fail("expected the eye to stand away from the target, found both at one point");
         set_axes(camera, camera.eye - target, request.up);
         camera.half_height = camera.tangent * glm::length(camera.eye - target);
     } else {

@@ -1,4 +1,5 @@
-// Where the eye is and what it sees, in scene space: the model's box centred on the origin, half its diagonal long as 1.
+// Where the eye is and what it sees, in scene space: the model's box centred on the origin, half its diagonal long
+// as 1.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -48,9 +49,9 @@ struct Camera {
     glm::dvec3 up{0.0, 1.0, 0.0};
     glm::dvec3 back{0.0, 0.0, 1.0};  ///< from what is looked at towards the eye
     Projection projection = Projection::perspective;
-    double tangent = 0.36397;     ///< of half the field of view, over the frame's height
-    double half_height = 1.0;     ///< of a parallel projection's frame
-    double near_plane = 0.1;      ///< eye distance, in scene units
+    double tangent = 0.36397;  ///< of half the field of view, over the frame's height
+    double half_height = 1.0;  ///< of a parallel projection's frame
+    double near_plane = 0.1;   ///< eye distance, in scene units
     double far_plane = 10.0;
 
     [[nodiscard]] glm::mat4 eye_from_scene() const;

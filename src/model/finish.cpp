@@ -93,8 +93,8 @@ void turn_to_normals(Mesh& mesh) {
         std::uint32_t* const corner = &mesh.triangles[t];
         const glm::dvec3 given = glm::dvec3(mesh.normals[corner[0]]) + glm::dvec3(mesh.normals[corner[1]]) +
                                  glm::dvec3(mesh.normals[corner[2]]);
-        const glm::dvec3 area = area_vector(mesh.positions[corner[0]], mesh.positions[corner[1]],
-                                            mesh.positions[corner[2]]);
+        const glm::dvec3 area =
+            area_vector(mesh.positions[corner[0]], mesh.positions[corner[1]], mesh.positions[corner[2]]);
         if (glm::dot(area, given) < 0) std::swap(corner[1], corner[2]);
     }
 }

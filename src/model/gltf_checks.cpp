@@ -66,7 +66,8 @@ private:
                     fail("{}: expected children of node {} below {}, found {}", name_, n, nodes.size(), child.dump());
                 }
                 const auto c = child.get<std::size_t>();
-                if (parent[c] != nodes.size()) fail("{}: expected a tree of nodes, found node {} with two parents", name_, c);
+                if (parent[c] != nodes.size())
+                    fail("{}: expected a tree of nodes, found node {} with two parents", name_, c);
                 parent[c] = n;
             }
         }
@@ -88,7 +89,8 @@ private:
             const std::uint64_t view = number(accessors[a], "bufferView", views.size());
             if (view < views.size()) {
                 const std::uint64_t room = number(views[view], "byteLength", 0);
-                if (count > room) fail("{}: expected accessor {} of {} entries in a view, found {} bytes", name_, a, count, room);
+                if (count > room)
+                    fail("{}: expected accessor {} of {} entries in a view, found {} bytes", name_, a, count, room);
             } else if (accessors[a].contains("bufferView")) {
                 fail("{}: expected the view of accessor {} below {}, found {}", name_, a, views.size(), view);
             } else if (count > largest_file / 64) {

@@ -22,7 +22,7 @@ constexpr Format formats[] = {
     {".wrl", read_vrml},
     {".off", read_through_assimp},
     {".ase", read_through_assimp},
-    {".ply", read_through_assimp},
+    {".ply", read_ply},
     {".stl", read_through_assimp},
     {".gltf", read_through_assimp},
     {".glb", read_through_assimp},

@@ -114,7 +114,7 @@ private:
         const bool textured = header_.texcoords.count > 0 && header_.skin_width > 0 && header_.skin_height > 0;
         for (std::size_t t = 0; t < header_.triangles.count; ++t) {
             const std::size_t at = header_.triangles.offset + 12 * t;
-            for (const std::size_t corner : {0, 2, 1}) {
+            for (const std::size_t corner : {std::size_t{0}, std::size_t{2}, std::size_t{1}}) {
                 const std::uint32_t point = number(at + 2 * corner, 2);
                 const std::uint32_t texcoord = textured ? number(at + 6 + 2 * corner, 2) : 0;
                 const auto next = static_cast<std::uint32_t>(points_.size());
@@ -181,7 +181,8 @@ private:
 
     [[nodiscard]] static std::size_t digits_at_end(const std::string& name) {
         std::size_t digits = 0;
-        while (digits < name.size() && std::isdigit(static_cast<unsigned char>(name[name.size() - 1 - digits]))) ++digits;
+        while (digits < name.size() && std::isdigit(static_cast<unsigned char>(name[name.size() - 1 - digits])))
+            ++digits;
         return digits;
     }
 
@@ -260,7 +261,8 @@ std::filesystem::path guess_skin(const std::filesystem::path& model) {
     std::vector<std::filesystem::path> all, alike;
     std::error_code error;
     const std::filesystem::path folder = model.has_parent_path() ? model.parent_path() : std::filesystem::path(".");
-    for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error)) {
         const std::filesystem::path& path = entry->path();
         if (!is_image(path)) continue;
         if (path.stem() == model.stem()) return path;

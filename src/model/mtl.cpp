@@ -104,8 +104,8 @@ private:
             if (!map.empty()) textures_.attach(material, map);
             // A black Kd under an image is an exporter's way to say "the image alone".
             if (material.texture && material.diffuse == glm::vec3(0.0f)) material.diffuse = glm::vec3(1.0f);
-            material.ambient = has_ambient_ ? sensible_ambient(material.ambient, material.diffuse)
-                                            : default_ambient(material.diffuse);
+            material.ambient =
+                has_ambient_ ? sensible_ambient(material.ambient, material.diffuse) : default_ambient(material.diffuse);
             materials_.push_back(std::move(material));
         }
         current_.reset();

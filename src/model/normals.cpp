@@ -21,8 +21,8 @@ constexpr std::uint32_t none = 0xffffffffu;
 double arc_cosine(double x) {
     const double a = std::min(std::abs(x), 1.0);
     double series = -0.0012624911;
-    for (const double term : {0.0066700901, -0.0170881256, 0.0308918810, -0.0501743046, 0.0889789874, -0.2145988016,
-                              1.5707963050}) {
+    for (const double term :
+         {0.0066700901, -0.0170881256, 0.0308918810, -0.0501743046, 0.0889789874, -0.2145988016, 1.5707963050}) {
         series = series * a + term;
     }
     const double angle = std::sqrt(1.0 - a) * series;
@@ -47,12 +47,12 @@ bool is_missing(const glm::vec3& normal) { return normal == glm::vec3(0.0f); }
 /// All corners of all meshes, numbered through, around their welded vertices.
 struct Corners {
     WeldedPoints points;
-    std::vector<std::uint32_t> vertex;         ///< the welded vertex of each corner
-    std::vector<std::size_t> first_of_mesh;    ///< the first corner of each mesh, and the count of all
-    std::vector<std::uint32_t> around;         ///< corners, sorted by their welded vertex
-    std::vector<std::uint32_t> first_around;   ///< where each welded vertex starts in `around`
-    std::vector<glm::vec3> face_normal;        ///< one a face
-    std::vector<std::uint32_t> fan;            ///< the fan of each corner, named by its first corner
+    std::vector<std::uint32_t> vertex;        ///< the welded vertex of each corner
+    std::vector<std::size_t> first_of_mesh;   ///< the first corner of each mesh, and the count of all
+    std::vector<std::uint32_t> around;        ///< corners, sorted by their welded vertex
+    std::vector<std::uint32_t> first_around;  ///< where each welded vertex starts in `around`
+    std::vector<glm::vec3> face_normal;       ///< one a face
+    std::vector<std::uint32_t> fan;           ///< the fan of each corner, named by its first corner
 
     [[nodiscard]] std::span<const std::uint32_t> at(std::uint32_t v) const {
         return std::span(around).subspan(first_around[v], first_around[v + 1] - first_around[v]);
@@ -62,7 +62,8 @@ struct Corners {
 void sort_around_vertices(Corners& corners) {
     corners.first_around.assign(corners.points.positions.size() + 1, 0);
     for (const std::uint32_t v : corners.vertex) ++corners.first_around[v + 1];
-    for (std::size_t v = 1; v < corners.first_around.size(); ++v) corners.first_around[v] += corners.first_around[v - 1];
+    for (std::size_t v = 1; v < corners.first_around.size(); ++v)
+        corners.first_around[v] += corners.first_around[v - 1];
     std::vector<std::uint32_t> next(corners.first_around.begin(), corners.first_around.end() - 1);
     corners.around.resize(corners.vertex.size());
     for (std::uint32_t c = 0; c < corners.vertex.size(); ++c) corners.around[next[corners.vertex[c]]++] = c;
@@ -117,14 +118,17 @@ public:
     }
 
     [[nodiscard]] bool operator()(std::uint32_t face_a, std::uint32_t face_b) const {
+        const float dot = glm::dot(corners_.face_normal[face_a], corners_.face_normal[face_b]);
+        if (dot > coplanar_dot) return true;  // a flat polygon's triangles share their vertices
         if (!groups_.empty() && (groups_[face_a] != no_group || groups_[face_b] != no_group)) {
             return (groups_[face_a] & groups_[face_b]) != 0;
         }
-        return glm::dot(corners_.face_normal[face_a], corners_.face_normal[face_b]) >= smallest_dot_;
+        return dot >= smallest_dot_;
     }
 
 private:
     static constexpr std::uint32_t no_group = 0xffffffffu;  // of a mesh without groups
+    static constexpr float coplanar_dot = 0.99999f;
 
     const Corners& corners_;
     float smallest_dot_;
@@ -219,14 +223,15 @@ void sum_over_fans(const Corners& corners, std::span<const std::uint32_t> fan, s
     });
 }
 
-bool any_missing(const std::vector<glm::vec3>& normals) { return std::any_of(normals.begin(), normals.end(), is_missing); }
+bool any_missing(const std::vector<glm::vec3>& normals) {
+    return std::any_of(normals.begin(), normals.end(), is_missing);
+}
 
 bool any_missing(const RawMesh& raw, const MeshRig* rig) {
     if (any_missing(raw.mesh.normals)) return true;
     if (rig == nullptr) return false;
-    return any_missing(rig->normals) || std::any_of(rig->shapes.begin(), rig->shapes.end(), [](const Shape& shape) {
-               return any_missing(shape.normals);
-           });
+    return any_missing(rig->normals) || std::any_of(rig->shapes.begin(), rig->shapes.end(),
+                                                    [](const Shape& shape) { return any_missing(shape.normals); });
 }
 
 /// The normals of a rig's own positions and shapes, over the same fans but within the mesh.

@@ -45,7 +45,7 @@ RawMesh ObjMesh::build(const ObjLists& lists, const glm::dvec3& origin) {
     triangles_.shrink_to_fit();
     mesh.triangles = std::move(triangles_);
     raw.smoothing_groups = std::move(smoothing_);
-    const auto any = [&](std::uint32_t ObjCorner::* index, std::size_t size) {
+    const auto any = [&](std::uint32_t ObjCorner::*index, std::size_t size) {
         return std::any_of(corners_.begin(), corners_.end(), [&](const ObjCorner& c) { return c.*index < size; });
     };
     constexpr float no_number = std::numeric_limits<float>::quiet_NaN();
@@ -54,7 +54,7 @@ RawMesh ObjMesh::build(const ObjLists& lists, const glm::dvec3& origin) {
         const bool known = c.point < lists.points.size();
         mesh.positions.push_back(known ? glm::vec3(lists.points[c.point] - origin) : glm::vec3(no_number));
     }
-    const auto fill = [&](auto& target, const auto& source, std::uint32_t ObjCorner::* index) {
+    const auto fill = [&](auto& target, const auto& source, std::uint32_t ObjCorner::*index) {
         if (source.empty() || !any(index, source.size())) return;
         target.reserve(corners_.size());
         for (const ObjCorner& c : corners_) {

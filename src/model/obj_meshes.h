@@ -40,7 +40,9 @@ public:
     /// The vertex of that corner, new or not.
     [[nodiscard]] std::uint32_t vertex(const ObjCorner& corner);
 
-    void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) { triangles_.insert(triangles_.end(), {a, b, c}); }
+    void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        triangles_.insert(triangles_.end(), {a, b, c});
+    }
 
     /// Gives the triangles added since the last call a smoothing group.
     void set_smoothing(std::uint32_t group) { smoothing_.resize(triangles_.size() / 3, group); }
@@ -55,8 +57,8 @@ private:
 
     std::string name_;
     std::uint32_t material_;
-    std::vector<ObjCorner> corners_;     // one a vertex
-    std::vector<std::uint32_t> slots_;   // hash table of vertices
+    std::vector<ObjCorner> corners_;    // one a vertex
+    std::vector<std::uint32_t> slots_;  // hash table of vertices
     std::vector<std::uint32_t> triangles_;
     std::vector<std::uint32_t> smoothing_;
 };

@@ -1,5 +1,5 @@
-// PCX, the image format of MD2's skins (ZSoft's technical reference manual, 1991): runs of equal bytes, a palette of 256
-// colours at the end.
+// PCX, the image format of MD2's skins (ZSoft's technical reference manual, 1991): runs of equal bytes, a palette of
+// 256 colours at the end.
 #include <algorithm>
 #include <cstdint>
 #include <vector>

@@ -22,8 +22,8 @@ struct Between {
 
 template <typename Value>
 Between<Value> around(const std::vector<Key<Value>>& keys, double time) {
-    const auto after = std::upper_bound(keys.begin(), keys.end(), time,
-                                        [](double t, const Key<Value>& key) { return t < key.time; });
+    const auto after =
+        std::upper_bound(keys.begin(), keys.end(), time, [](double t, const Key<Value>& key) { return t < key.time; });
     if (after == keys.begin()) return {keys.front().value, keys.front().value, 0};
     if (after == keys.end()) return {keys.back().value, keys.back().value, 0};
     const auto before = after - 1;
@@ -103,7 +103,8 @@ void place(MeshPose& pose, std::size_t v, const glm::mat4& transform, const glm:
 
 void follow_bones(const MeshRig& rig, std::span<const glm::mat4> nodes, MeshPose& pose) {
     std::vector<glm::mat4> bones;
-    for (std::size_t b = 0; b < rig.bone_nodes.size(); ++b) bones.push_back(nodes[rig.bone_nodes[b]] * rig.bone_offsets[b]);
+    for (std::size_t b = 0; b < rig.bone_nodes.size(); ++b)
+        bones.push_back(nodes[rig.bone_nodes[b]] * rig.bone_offsets[b]);
     parallel_for(pose.positions.size(), 1024, [&](std::size_t begin, std::size_t end) {
         for (std::size_t v = begin; v < end; ++v) {
             glm::mat4 blend(0.0f);
@@ -131,8 +132,8 @@ void normalize(MeshPose& pose) {
 MeshPose mesh_pose(const Model& model, std::size_t mesh, const AnimationClip& clip, double time,
                    std::span<const glm::mat4> nodes) {
     const MeshRig& rig = model.rig.meshes[mesh];
-    const auto track = std::find_if(clip.shapes.begin(), clip.shapes.end(),
-                                    [&](const ShapeTrack& one) { return one.mesh == mesh; });
+    const auto track =
+        std::find_if(clip.shapes.begin(), clip.shapes.end(), [&](const ShapeTrack& one) { return one.mesh == mesh; });
     const auto weights = track == clip.shapes.end() ? std::vector<float>(rig.shapes.size(), 0.0f)
                                                     : value_at(track->weights, time, rig.shapes.size());
     MeshPose pose = shaped(rig, weights);
@@ -177,7 +178,8 @@ const AnimationClip& find_clip(const Model& model, std::string_view name) {
         names.push_back(clip.name);
     }
     if (names.empty()) fail("{}: expected animation clip \"{}\", found a model without clips", model.name, name);
-    fail("{}: no animation clip \"{}\"; it has {}{}", model.name, name, fmt::join(names, ", "), suggestion(name, names));
+    fail("{}: no animation clip \"{}\"; it has {}{}", model.name, name, fmt::join(names, ", "),
+         suggestion(name, names));
 }
 
 }  // namespace croquis::model

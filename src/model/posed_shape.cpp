@@ -16,7 +16,8 @@ PosedShape posed_shape(const Model& model, const Pose* pose) {
     shape.positions.resize(topology.positions.size());
     for (std::size_t m = 0; m < model.meshes.size(); ++m) {
         const std::vector<glm::vec3>& moved = (*pose)[m].positions;
-        for (std::size_t v = 0; v < moved.size(); ++v) shape.positions[welded.ids[welded.first_of_list[m] + v]] = moved[v];
+        for (std::size_t v = 0; v < moved.size(); ++v)
+            shape.positions[welded.ids[welded.first_of_list[m] + v]] = moved[v];
     }
     for (const Face& face : topology.faces) {
         const glm::dvec3 a(shape.positions[face.vertices[0]]), b(shape.positions[face.vertices[1]]),

@@ -16,6 +16,7 @@ constexpr std::uintmax_t largest_file = std::uintmax_t{4} << 30;
 
 [[nodiscard]] RawModel read_obj(const std::filesystem::path& path);
 [[nodiscard]] RawModel read_md2(const std::filesystem::path& path);
+[[nodiscard]] RawModel read_ply(const std::filesystem::path& path);
 [[nodiscard]] RawModel read_vrml(const std::filesystem::path& path);
 [[nodiscard]] RawModel read_through_assimp(const std::filesystem::path& path);
 

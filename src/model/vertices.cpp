@@ -97,7 +97,8 @@ void join_vertices(Mesh& mesh, MeshRig* rig) {
     std::vector<std::uint32_t> number_of(count), kept;
     for (std::uint32_t v = 0; v < count; ++v) {
         std::size_t slot = hash_of_vertex(mesh, v) & (slots.size() - 1);
-        while (slots[slot] != unused && !same_vertex(mesh, kept[slots[slot]], v)) slot = (slot + 1) & (slots.size() - 1);
+        while (slots[slot] != unused && !same_vertex(mesh, kept[slots[slot]], v))
+            slot = (slot + 1) & (slots.size() - 1);
         if (slots[slot] == unused) {
             slots[slot] = static_cast<std::uint32_t>(kept.size());
             kept.push_back(v);

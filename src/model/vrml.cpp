@@ -37,14 +37,16 @@
 namespace croquis::model {
 namespace {
 
-constexpr std::size_t most_visits = 4'000'000;      // nodes; a scene that uses itself doubles without end
+constexpr std::size_t most_visits = 4'000'000;  // nodes; a scene that uses itself doubles without end
 constexpr std::size_t most_triangles = 50'000'000;
 
 /// Keeps Coin's messages off the terminal while it reads; the first one is the reason of a failure.
 class QuietCoin {
 public:
-    QuietCoin() : before_(SoError::getHandlerCallback()), read_before_(SoReadError::getHandlerCallback()),
-                  debug_before_(SoDebugError::getHandlerCallback()) {
+    QuietCoin()
+        : before_(SoError::getHandlerCallback()),
+          read_before_(SoReadError::getHandlerCallback()),
+          debug_before_(SoDebugError::getHandlerCallback()) {
         SoError::setHandlerCallback(note, this);
         SoReadError::setHandlerCallback(note, this);
         SoDebugError::setHandlerCallback(note, this);
@@ -94,7 +96,8 @@ public:
         action.addTriangleCallback(SoShape::getClassTypeId(), add_triangle, this);
         action.apply(scene);
         if (visits_ > most_visits) fail("{}: expected fewer than {} nodes, found more", name_, most_visits);
-        if (triangles_ > most_triangles) fail("{}: expected fewer than {} triangles, found more", name_, most_triangles);
+        if (triangles_ > most_triangles)
+            fail("{}: expected fewer than {} triangles, found more", name_, most_triangles);
         if (raw_.meshes.empty()) fail_without_triangles(name_, found_other_);
         for (RawMesh& one : raw_.meshes) complete(one.mesh);
         return std::move(raw_);
@@ -148,8 +151,8 @@ private:
     }
 
     static bool is_surface(const SoNode* node) {
-        const SoType types[] = {SoVRMLBox::getClassTypeId(),      SoVRMLCone::getClassTypeId(),
-                                SoVRMLCylinder::getClassTypeId(), SoVRMLElevationGrid::getClassTypeId(),
+        const SoType types[] = {SoVRMLBox::getClassTypeId(),       SoVRMLCone::getClassTypeId(),
+                                SoVRMLCylinder::getClassTypeId(),  SoVRMLElevationGrid::getClassTypeId(),
                                 SoVRMLExtrusion::getClassTypeId(), SoVRMLSphere::getClassTypeId()};
         return std::any_of(std::begin(types), std::end(types), [&](const SoType& t) { return node->isOfType(t); });
     }
@@ -198,8 +201,8 @@ private:
         return raw_.meshes[entry->second].mesh;
     }
 
-    static void add_triangle(void* self, SoCallbackAction* action, const SoPrimitiveVertex* a, const SoPrimitiveVertex* b,
-                             const SoPrimitiveVertex* c) {
+    static void add_triangle(void* self, SoCallbackAction* action, const SoPrimitiveVertex* a,
+                             const SoPrimitiveVertex* b, const SoPrimitiveVertex* c) {
         auto& walk = *static_cast<SceneWalk*>(self);
         if (++walk.triangles_ > most_triangles) return;
         const SbMatrix& matrix = action->getModelMatrix();

@@ -120,7 +120,8 @@ bool is_sound(const SoVRMLIndexedFaceSet& faces) {
     const auto* const texcoords = static_cast<const SoVRMLTextureCoordinate*>(faces.texCoord.getValue());
     const SoMFInt32& corners = faces.coordIndex;
     if (points == nullptr || !all_below(corners, points->point.getNum())) return false;
-    if (colors != nullptr && !fits(colors->color.getNum(), faces.colorIndex, corners, faces.colorPerVertex.getValue())) {
+    if (colors != nullptr &&
+        !fits(colors->color.getNum(), faces.colorIndex, corners, faces.colorPerVertex.getValue())) {
         return false;
     }
     if (normals != nullptr &&

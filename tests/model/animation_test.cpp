@@ -46,7 +46,9 @@ TEST(Animation, SkinnedStripBendsAtItsJoint) {
     const MeshPose bent = pose_at(*model, clip, 1.5)[0];  // a quarter turn: its key says sin and cos of 45 degrees
     for (std::size_t v = 0; v < bent.positions.size(); ++v) {
         const glm::vec3 rest = model->meshes[0].positions[v];
-        if (rest.y < 0.25f) EXPECT_LT(glm::length(bent.positions[v] - rest), 1e-5f);
+        if (rest.y < 0.25f) {
+            EXPECT_LT(glm::length(bent.positions[v] - rest), 1e-5f);
+        }
         if (rest.y > 1.75f) {  // these follow the upper joint alone
             const glm::vec3 arm = rest - glm::vec3(0, 1, 0);
             const glm::vec3 moved = bent.positions[v] - glm::vec3(0, 1, 0);
@@ -84,15 +86,16 @@ TEST(Animation, NodesMoveWhatTheyCarryThroughTheirParents) {
     AnimationClip clip;
     clip.name = "turn";
     clip.seconds = 2;
-    NodeTrack turn{0, {}, {{0.0, glm::quat(1, 0, 0, 0)}, {2.0, glm::angleAxis(3.14159265f, glm::vec3(0, 0, 1))}}, {}};
+    NodeTrack turn{0, {}, {{0.0, glm::quat(1, 0, 0, 0)}, {2.0, glm::angleAxis(1.57079633f, glm::vec3(0, 0, 1))}}, {}};
     NodeTrack reach{1, {{0.0, {2, 0, 0}}, {2.0, {4, 0, 0}}}, {}, {}};
     clip.nodes = {turn, reach};
     raw.clips = {clip};
     const auto model = finish(std::move(raw), "hand-made");
     const MeshPose half = pose_at(*model, model->clips[0], 1.0)[0];
-    EXPECT_LT(glm::length(half.positions[0] - glm::vec3(0, 3, 0)), 1e-5f);
-    EXPECT_LT(glm::length(half.positions[1] - glm::vec3(0, 4, 0)), 1e-5f);
-    EXPECT_LT(glm::length(half.positions[2] - glm::vec3(-1, 3, 0)), 1e-5f);
+    const float s = std::sqrt(0.5f);  // turned by 45 degrees, the arm reaching 3 far
+    EXPECT_LT(glm::length(half.positions[0] - glm::vec3(3 * s, 3 * s, 0)), 1e-5f);
+    EXPECT_LT(glm::length(half.positions[1] - glm::vec3(4 * s, 4 * s, 0)), 1e-5f);
+    EXPECT_LT(glm::length(half.positions[2] - glm::vec3(2 * s, 4 * s, 0)), 1e-5f);
     EXPECT_LT(glm::length(half.normals[0] - glm::vec3(0, 0, 1)), 1e-5f);
 }
 

@@ -66,10 +66,8 @@ inline std::string error_of(const std::string& name, std::string_view text) {
     return {};
 }
 
-constexpr std::string_view cube_points =
-    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n";
-constexpr std::string_view cube_faces =
-    "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+constexpr std::string_view cube_points = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n";
+constexpr std::string_view cube_faces = "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
 
 inline std::string cube() { return std::string(cube_points) + std::string(cube_faces); }
 
@@ -77,7 +75,8 @@ inline std::string cube() { return std::string(cube_points) + std::string(cube_f
 inline std::string sphere(int rows, int columns, double radius, double centre = 0) {
     std::string text;
     const auto add = [&](double x, double y, double z) {
-        text += fmt::format("v {:.17g} {:.17g} {:.17g}\n", centre + radius * x, centre + radius * y, centre + radius * z);
+        text +=
+            fmt::format("v {:.17g} {:.17g} {:.17g}\n", centre + radius * x, centre + radius * y, centre + radius * z);
     };
     constexpr double pi = 3.14159265358979323846;
     add(0, 1, 0);

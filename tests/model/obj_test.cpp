@@ -21,9 +21,9 @@ constexpr const char* triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
 TEST(Obj, ReadsTheWaysOfWritingAFace) {
     const std::string lists = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nvn 0 0 1\n";
-    for (const char* face : {"f 1 2 3", "f 1/1 2/2 3/3", "f 1//1 2//1 3//1", "f 1/1/1 2/2/1 3/3/1", "f -3 -2 -1",
-                             "f -3/-3/-1 -2/-2/-1 -1/-1/-1", "f 1/ 2/ 3/", "f 1 \\\n2 \\\r\n 3", "f 1 2 3 # triangle",
-                             "f\t1  2\t3  \r"}) {
+    for (const char* face :
+         {"f 1 2 3", "f 1/1 2/2 3/3", "f 1//1 2//1 3//1", "f 1/1/1 2/2/1 3/3/1", "f -3 -2 -1",
+          "f -3/-3/-1 -2/-2/-1 -1/-1/-1", "f 1/ 2/ 3/", "f 1 \\\n2 \\\r\n 3", "f 1 2 3 # triangle", "f\t1  2\t3  \r"}) {
         const auto model = load_text("face.obj", lists + face);
         EXPECT_EQ(model->triangle_count(), 1u) << face;
         EXPECT_EQ(model->meshes[0].positions, (std::vector<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}})) << face;
@@ -44,7 +44,8 @@ TEST(Obj, CutsConcavePolygonsWithinTheirOutline) {
             const auto model = load_text("l.obj", text + face);
             EXPECT_EQ(model->triangle_count(), 4u);
             EXPECT_NEAR(area_of(*model), 3.0, 1e-6);
-            for (const glm::vec3& normal : model->topology().face_normals) EXPECT_EQ(normal.z, backwards ? -1.0f : 1.0f);
+            for (const glm::vec3& normal : model->topology().face_normals)
+                EXPECT_EQ(normal.z, backwards ? -1.0f : 1.0f);
         }
     }
 }
@@ -70,8 +71,9 @@ TEST(Obj, NamesAndMaterialsMakeMeshesAndRegions) {
 }
 
 TEST(Obj, ObjectsAndGroupsNameMeshes) {
-    const auto model = load_text("names.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\no chair\nf 1 2 4\n"
-                                              "g left leg\nf 1 3 4\no table\nf 2 3 4\n");
+    const auto model = load_text("names.obj",
+                                 "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\no chair\nf 1 2 4\n"
+                                 "g left leg\nf 1 3 4\no table\nf 2 3 4\n");
     ASSERT_EQ(model->meshes.size(), 4u);
     EXPECT_EQ(model->meshes[0].name, "");
     EXPECT_EQ(model->meshes[1].name, "chair");
@@ -81,20 +83,23 @@ TEST(Obj, ObjectsAndGroupsNameMeshes) {
 
 TEST(Obj, SixNumbersAreAColoredPoint) {
     const auto model = load_text("colors.obj", "v 0 0 0 1 0 0\nv 1 0 0 0 0.5 0\nv 0 1 0\nf 1 2 3\n");
-    EXPECT_EQ(model->meshes[0].colors, (std::vector<glm::u8vec4>{{255, 0, 0, 255}, {0, 128, 0, 255}, {255, 255, 255, 255}}));
+    EXPECT_EQ(model->meshes[0].colors,
+              (std::vector<glm::u8vec4>{{255, 0, 0, 255}, {0, 128, 0, 255}, {255, 255, 255, 255}}));
 }
 
 TEST(Obj, MaterialsComeFromTheirFile) {
     const TemporaryFolder folder;
     // A 2x1 image in PNM: red, green.
     folder.write("Skin One.ppm", std::string("P6\n2 1\n255\n\xff\x00\x00\x00\xff\x00", 17));
-    folder.write("the materials.mtl",
-                 "newmtl plain\nKd 0.2 0.4 0.6\nnewmtl washed\nKa 1 1 1\nKd 0.5 0.5 0.5\nKs 0.25 0.5 0.75\nNs 200\nd 0.5\n"
-                 "newmtl dark\nKa 0.1 0.1 0.1\nTr 0.25\nNs 0\nnewmtl skin\n"
-                 "map_Kd -s 1 1 1 -clamp on C:\\textures\\skin one.ppm\nnewmtl bare\nmap_Kd nowhere.png\n");
+    folder.write(
+        "the materials.mtl",
+        "newmtl plain\nKd 0.2 0.4 0.6\nnewmtl washed\nKa 1 1 1\nKd 0.5 0.5 0.5\nKs 0.25 0.5 0.75\nNs 200\nd 0.5\n"
+        "newmtl dark\nKa 0.1 0.1 0.1\nTr 0.25\nNs 0\nnewmtl skin\n"
+        "map_Kd -s 1 1 1 -clamp on C:\\textures\\skin one.ppm\nnewmtl bare\nmap_Kd nowhere.png\n");
     const auto model = load(folder.write(
-        "m.obj", "mtllib the materials.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl plain\nf 1 2 3\nusemtl washed\nf 1 2 3\n"
-                 "usemtl dark\nf 1 2 3\nusemtl skin\nf 1 2 3\nusemtl bare\nf 1 2 3\nusemtl unheard of\nf 1 2 3\n"));
+        "m.obj",
+        "mtllib the materials.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl plain\nf 1 2 3\nusemtl washed\nf 1 2 3\n"
+        "usemtl dark\nf 1 2 3\nusemtl skin\nf 1 2 3\nusemtl bare\nf 1 2 3\nusemtl unheard of\nf 1 2 3\n"));
     ASSERT_EQ(model->materials.size(), 6u);
     const Material &plain = model->materials[0], &washed = model->materials[1], &dark = model->materials[2];
     EXPECT_EQ(plain.diffuse, glm::vec3(0.2f, 0.4f, 0.6f));
@@ -124,8 +129,10 @@ TEST(Obj, FarFromItsOriginItKeepsItsDetail) {
 }
 
 TEST(Obj, DropsWhatCannotBeDrawn) {
-    const auto model = load_text("doubtful.obj", std::string(triangle) + "v nan 0 0\nv inf 0 0\nv 2 0 0\nv 1e30 0 0\n"
-                                                 "f 1 2 4\nf 1 2 5\nf 1 2 99\nf 0 1 2\nf -40 1 2\nf 1 1 2\nf 1 2 6\nf 1 2 7\n");
+    const auto model =
+        load_text("doubtful.obj", std::string(triangle) +
+                                      "v nan 0 0\nv inf 0 0\nv 2 0 0\nv 1e30 0 0\n"
+                                      "f 1 2 4\nf 1 2 5\nf 1 2 99\nf 0 1 2\nf -40 1 2\nf 1 1 2\nf 1 2 6\nf 1 2 7\n");
     EXPECT_EQ(model->triangle_count(), 1u);
     EXPECT_EQ(model->vertex_count(), 3u);
 }
@@ -155,7 +162,8 @@ TEST(Obj, RefusesWithOneClearLine) {
 }
 
 TEST(Obj, TakesAnyLineEndAndAByteOrderMark) {
-    for (const char* text : {"\xef\xbb\xbfv 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3", "v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r"}) {
+    for (const char* text :
+         {"\xef\xbb\xbfv 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3", "v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r"}) {
         EXPECT_EQ(load_text("ends.obj", text)->triangle_count(), 1u);
     }
 }
@@ -168,9 +176,10 @@ TEST(Obj, LinesLongerThanTheBufferAreRead) {
 }
 
 TEST(Load, RefusesOtherFiles) {
-    EXPECT_EQ(error_of("x.objj", "v"),
-              "x.objj: expected a model file (.obj .md2 .wrl .off .ase .ply .stl .gltf .glb .3ds), found ending .objj; did "
-              "you mean \".obj\"?");
+    EXPECT_EQ(
+        error_of("x.objj", "v"),
+        "x.objj: expected a model file (.obj .md2 .wrl .off .ase .ply .stl .gltf .glb .3ds), found ending .objj; did "
+        "you mean \".obj\"?");
     EXPECT_EQ(error_of("x", "v"),
               "x: expected a model file (.obj .md2 .wrl .off .ase .ply .stl .gltf .glb .3ds), found no ending");
     try {

@@ -23,7 +23,8 @@ TEST(Topology, CubeHasEightVerticesEighteenEdgesTwelveFaces) {
 }
 
 TEST(Topology, EachEdgeStandsOnceWithTheFacesThatHoldIt) {
-    const auto model = load_text("tetrahedron.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
+    const auto model =
+        load_text("tetrahedron.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
     const Topology& topology = model->topology();
     ASSERT_EQ(topology.edges.size(), 6u);
     for (const Edge& edge : topology.edges) {
@@ -48,7 +49,8 @@ TEST(Topology, EulersRelationHoldsOnClosedModels) {
     for (int i = 0; i < 12; ++i) {
         for (int j = 0; j < 7; ++j) {
             const double u = i * 6.283185307179586 / 12, v = j * 6.283185307179586 / 7;
-            torus += fmt::format("v {} {} {}\n", (2 + std::cos(v)) * std::cos(u), std::sin(v), (2 + std::cos(v)) * std::sin(u));
+            torus += fmt::format("v {} {} {}\n", (2 + std::cos(v)) * std::cos(u), std::sin(v),
+                                 (2 + std::cos(v)) * std::sin(u));
         }
     }
     for (int i = 0; i < 12; ++i) {
@@ -67,23 +69,25 @@ TEST(Topology, EulersRelationHoldsOnClosedModels) {
 }
 
 TEST(Topology, OpenSurfacesHaveBordersAndAreNotSolid) {
-    const auto model = load_text("open.obj", std::string(cube_points) + "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\n");
+    const auto model =
+        load_text("open.obj", std::string(cube_points) + "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\n");
     EXPECT_EQ(model->topology().border_edge_count(), 4u);
     EXPECT_FALSE(model->topology().mesh_is_solid[0]);
 }
 
 TEST(Topology, AMeshWoundTwoWaysIsNotSolidAndOneInsideOutIsInverted) {
-    const auto mixed = load_text("mixed.obj", std::string(cube_points) +
-                                                  "f 1 2 3 4\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+    const auto mixed = load_text(
+        "mixed.obj", std::string(cube_points) + "f 1 2 3 4\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
     EXPECT_FALSE(mixed->topology().mesh_is_solid[0]);
-    const auto turned = load_text("turned.obj", std::string(cube_points) +
-                                                    "f 1 2 3 4\nf 8 7 6 5\nf 5 6 2 1\nf 6 7 3 2\nf 7 8 4 3\nf 8 5 1 4\n");
+    const auto turned = load_text(
+        "turned.obj", std::string(cube_points) + "f 1 2 3 4\nf 8 7 6 5\nf 5 6 2 1\nf 6 7 3 2\nf 7 8 4 3\nf 8 5 1 4\n");
     EXPECT_TRUE(turned->topology().mesh_is_solid[0]);
     EXPECT_TRUE(turned->topology().mesh_is_inverted[0]);
 }
 
 TEST(Topology, ThreeFacesOnAnEdgeAreCrowded) {
-    const auto model = load_text("fin.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nf 1 2 3\nf 1 4 2\nf 1 2 5\n");
+    const auto model =
+        load_text("fin.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nf 1 2 3\nf 1 4 2\nf 1 2 5\n");
     const Topology& topology = model->topology();
     ASSERT_EQ(topology.crowded_edges.size(), 1u);
     EXPECT_EQ(topology.edges.size(), 7u);

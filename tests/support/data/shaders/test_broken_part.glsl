@@ -1,0 +1,3 @@
+// The third line adds what cannot be added.
+
+float half_of(float x) { return x + ivec3(1); }

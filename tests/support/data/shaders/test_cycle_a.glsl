@@ -1,0 +1,2 @@
+#include "test_cycle_b.glsl"
+vec4 color() { return vec4(1.0); }

@@ -1,0 +1,2 @@
+// Back again.
+#include "test_cycle_a.glsl"

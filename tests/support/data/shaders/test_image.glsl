@@ -1,0 +1,21 @@
+// Full-screen functions for tests.
+#include "image.glsl"
+
+#ifdef FRAGMENT_STAGE
+uniform float amount;
+
+// One grey.
+vec4 grey() { return vec4(vec3(amount), 1.0); }
+
+// One level of 255 more than the texture has.
+vec4 one_more() {
+    vec4 before = texelFetch(texture_sampler, ivec2(gl_FragCoord.xy), 0);
+    return vec4(before.rgb + 1.0 / 255.0, before.a);
+}
+
+// Columns in red, rows from below in green.
+vec4 place_as_color() { return vec4(floor(gl_FragCoord.xy) / 255.0, 0.0, 1.0); }
+
+// The bits of a depth buffer's values.
+uvec4 depth_bits() { return uvec4(floatBitsToUint(texelFetch(texture_sampler, ivec2(gl_FragCoord.xy), 0).r), 0u, 0u, 0u); }
+#endif

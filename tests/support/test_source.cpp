@@ -1,0 +1,72 @@
+#include "support/test_source.h"
+
+#include <epoxy/gl.h>
+
+#include <vector>
+
+#include "framework/render_context.h"
+
+namespace croquis::test_support {
+namespace {
+
+using framework::Pass;
+
+gpu::TextureFormat format_named(const std::string& word) {
+    if (word == "words") return gpu::TextureFormat::rg32ui;
+    return word == "depth" ? gpu::TextureFormat::depth : gpu::TextureFormat::rgba8;
+}
+
+// Rows from the bottom, as GL has them.
+template <typename Pixel>
+std::vector<Pixel> flipped(const image::Raster<Pixel>& raster) {
+    std::vector<Pixel> pixels;
+    for (int y = raster.height() - 1; y >= 0; --y) {
+        for (int x = 0; x < raster.width(); ++x) pixels.push_back(raster.at(x, y));
+    }
+    return pixels;
+}
+
+struct Send {
+    void operator()(const image::Image& image) const { send(image, GL_RGBA, GL_UNSIGNED_BYTE); }
+    void operator()(const Words& words) const { send(words, GL_RG_INTEGER, GL_UNSIGNED_INT); }
+    void operator()(const DepthValues& depths) const {
+        // The 24 bits repeated below themselves: the same share of the 32-bit range.
+        DepthValues wide = depths;
+        for (std::uint32_t& depth : wide.pixels()) depth = (depth << 8) | (depth >> 16);
+        send(wide, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT);
+    }
+
+    template <typename Pixel>
+    void send(const image::Raster<Pixel>& raster, GLenum format, GLenum type) const {
+        texture.resize(raster.width(), raster.height());
+        glBindTexture(GL_TEXTURE_2D, texture.id());
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, raster.width(), raster.height(), format, type, flipped(raster).data());
+    }
+
+    gpu::Texture& texture;
+};
+
+class TestSource final : public framework::Component {
+public:
+    TestSource(const Pass& pass, const Sources& sources)
+        : Component(pass),
+          sources_(sources),
+          name_(pass.variable<std::string>("texture").value()),
+          texture_(pass.generated().declare(name_, format_named(pass.variable<std::string>("format").value()))) {}
+
+protected:
+    void render(framework::RenderContext&) override { std::visit(Send{*texture_}, sources_.at(name_)); }
+
+private:
+    const Sources& sources_;
+    std::string name_;
+    std::shared_ptr<gpu::Texture> texture_;
+};
+
+}  // namespace
+
+framework::CreateComponent test_source(const Sources& sources) {
+    return [&sources](const Pass& pass) { return std::make_unique<TestSource>(pass, sources); };
+}
+
+}  // namespace croquis::test_support
