@@ -2,13 +2,14 @@
 """Make the generated pages and the pictures of docs/ from what the program says of itself.
 
 make_docs.py --croquis PROGRAM          write docs/techniques.md and docs/pictures/
-make_docs.py --croquis PROGRAM --check  compare the page with what is there, look that each picture exists;
-                                        name what differs and exit 1
+make_docs.py --croquis PROGRAM --check  compare the page with what is there, look that each picture that a page shows
+                                        exists and that no other does; name what differs and exit 1
 """
 
 import argparse
 import json
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -235,16 +236,21 @@ def draw_wide(program, folder):
 # --- What is asked ---------------------------------------------------------------------------
 
 
-def check(text, names):
+def shown_pictures(generated):
+    """The pictures of docs/pictures that README.md and the pages show."""
+    pages = [path.read_text(encoding="utf-8") for path in [ROOT / "README.md", *DOCS.glob("*.md")]]
+    return {name for text in [*pages, generated] for name in re.findall(r"\]\((?:docs/)?pictures/([^)]+)\)", text)}
+
+
+def check(text):
     """What is out of date."""
     complaints = []
     path = DOCS / "techniques.md"
     if not path.exists() or path.read_text(encoding="utf-8") != text:
         complaints.append(f"{path}: differs from what the descriptors say; run make docs")
-    for name in [*names, "croquis"]:
-        picture = PICTURES / f"{name}.png"
-        if not picture.exists():
-            complaints.append(f"{picture}: no such picture; run make docs")
+    shown, found = shown_pictures(text), {picture.name for picture in PICTURES.glob("*")}
+    complaints += [f"{PICTURES / name}: no such picture; run make docs" for name in sorted(shown - found)]
+    complaints += [f"{PICTURES / name}: no page shows it" for name in sorted(found - shown)]
     return complaints
 
 
@@ -252,9 +258,6 @@ def write(program, text, names):
     with tempfile.TemporaryDirectory() as folder:
         draw_techniques(program, names, pathlib.Path(folder))
         draw_wide(program, pathlib.Path(folder))
-    for picture in PICTURES.glob("*.png"):
-        if picture.stem not in [*names, "croquis"]:
-            picture.unlink()
     (DOCS / "techniques.md").write_text(text, encoding="utf-8")
 
 
@@ -268,11 +271,10 @@ def main():
     techniques, components = program.catalogue()
     common = {variable["name"]: variable for variable in program.ask("describe", "every_component")["variables"]}
     text = page(techniques, components, common)
-    names = [technique["name"] for technique in techniques]
     if not asked.check:
-        write(program, text, names)
+        write(program, text, [technique["name"] for technique in techniques])
         return 0
-    complaints = check(text, names)
+    complaints = check(text)
     for complaint in complaints:
         print(complaint)
     return 1 if complaints else 0

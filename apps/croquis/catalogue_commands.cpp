@@ -110,12 +110,21 @@ void print(const TechniqueDefinition& technique) {
     }
 }
 
+// A broken technique of the user's own does not keep the others from being listed.
+std::string help_of_technique(const Library& library, const std::string& name) {
+    try {
+        return library.technique(name).help;
+    } catch (const Error& error) {
+        return fmt::format("(broken: {})", error.what());
+    }
+}
+
 int run_list(const Common& common, bool json) {
     const Library library = open_library(common);
     if (json) {
         Json listing{{"techniques", Json::array()}, {"components", Json::array()}};
         for (const std::string& name : library.technique_names()) {
-            listing["techniques"].push_back({{"name", name}, {"help", library.technique(name).help}});
+            listing["techniques"].push_back({{"name", name}, {"help", help_of_technique(library, name)}});
         }
         for (const std::string& name : library.descriptors().names()) {
             listing["components"].push_back({{"name", name}, {"help", library.descriptors().at(name).help}});
@@ -125,7 +134,7 @@ int run_list(const Common& common, bool json) {
     }
     fmt::print("Techniques (croquis render MODEL --technique NAME):\n");
     for (const std::string& name : library.technique_names()) {
-        fmt::print("  {:34} {}\n", name, library.technique(name).help);
+        fmt::print("  {:34} {}\n", name, help_of_technique(library, name));
     }
     fmt::print("\nComponents (the kinds of pass that techniques are made of):\n");
     for (const std::string& name : library.descriptors().names()) {

@@ -8,16 +8,31 @@
 namespace croquis::app {
 namespace {
 
-// One API's line; true when it can draw.
-bool report_api(const Common& common, const std::string& api) {
+// Opens every technique, as a driver may refuse a shader that another takes; the number of those that fail.
+int report_broken(Renderer& renderer) {
+    int broken = 0;
+    for (const std::string& name : renderer.technique_names()) {
+        try {
+            (void)renderer.open_technique(name);
+        } catch (const Error& error) {
+            fmt::print("broken         technique {} on {}: {}\n", name, renderer.info().api, error.what());
+            ++broken;
+        }
+    }
+    return broken;
+}
+
+// One API's lines; true when it can draw. Adds to the number of techniques that it cannot open.
+bool report_api(const Common& common, const std::string& api, int& broken) {
     Renderer::Choice choice = common.choice();
     choice.api = api;
     try {
-        const Renderer renderer = Renderer::headless(choice);
+        Renderer renderer = Renderer::headless(choice);
         const RendererInfo info = renderer.info();
         fmt::print("{:14} works: {} through {}{}\n", info.api, info.renderer, info.platform,
                    info.is_software ? " (software: no GPU found)" : "");
         fmt::print("{:14} {}\n", "", info.version);
+        broken += report_broken(renderer);
         return true;
     } catch (const Error& error) {
         fmt::print("{:14} fails: {}\n", api == "gl" ? "OpenGL 3.3" : "OpenGL ES 3.0", error.what());
@@ -27,8 +42,9 @@ bool report_api(const Common& common, const std::string& api) {
 
 int run(const Common& common) {
     fmt::print("croquis {}\n", CROQUIS_VERSION);
-    const bool gl = report_api(common, "gl");
-    const bool gles = report_api(common, "gles");
+    int broken = 0;
+    const bool gl = report_api(common, "gl", broken);
+    const bool gles = report_api(common, "gles", broken);
     if (!gl && !gles) {
         fmt::print("missing        an OpenGL driver with EGL (on Debian: libegl1 and libgl1-mesa-dri)\n");
         return 1;
@@ -42,17 +58,7 @@ int run(const Common& common) {
     for (const std::string& folder : info.data_folders) {
         fmt::print("data folder    {}\n", std::filesystem::absolute(folder).lexically_normal().string());
     }
-    int broken = 0;
-    const std::vector<std::string> names = renderer.technique_names();
-    for (const std::string& name : names) {
-        try {
-            (void)renderer.open_technique(name);
-        } catch (const Error& error) {
-            fmt::print("broken         technique {}: {}\n", name, error.what());
-            ++broken;
-        }
-    }
-    fmt::print("techniques     {} found, {} broken\n", names.size(), broken);
+    fmt::print("techniques     {} found, {} broken\n", renderer.technique_names().size(), broken);
     std::string endings;
     for (const std::string& ending : Model::readable_endings()) endings += (endings.empty() ? "" : " ") + ending;
     fmt::print("models         {}\n", endings);

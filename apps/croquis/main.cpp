@@ -8,14 +8,15 @@
 #include "base/log.h"
 #include "base/names.h"
 #include "commands.h"
+#include "progress.h"
 
 namespace croquis::app {
 namespace {
 
 constexpr int exit_user_error = 2;
 
-int complain(const std::string& message) {
-    fmt::print(stderr, "croquis: {}\n", message);
+int refuse(const std::string& message) {
+    complain(message);
     return exit_user_error;
 }
 
@@ -51,11 +52,11 @@ int run(int argc, char** argv) {
     } catch (const CLI::Success& success) {  // --help, --version
         return program.exit(success);
     } catch (const CLI::ExtrasError&) {
-        return complain(unknown_argument(program));
+        return refuse(unknown_argument(program));
     } catch (const CLI::ParseError& error) {
-        if (argc < 2) return complain("expected a command: render, list, describe or doctor; croquis --help tells more");
-        if (program.get_subcommands().empty() && argc >= 2) return complain(unknown_argument(program));
-        return complain(first_line(error.what()));
+        if (argc < 2) return refuse("expected a command: render, list, describe or doctor; croquis --help tells more");
+        if (program.get_subcommands().empty() && argc >= 2) return refuse(unknown_argument(program));
+        return refuse(first_line(error.what()));
     }
     return commands.at(program.get_subcommands().front())();
 }
@@ -75,10 +76,10 @@ int main(int argc, char** argv) {
     try {
         return croquis::app::run(argc, argv);
     } catch (const croquis::Error& error) {
-        return croquis::app::complain(error.what());
+        return croquis::app::refuse(error.what());
     } catch (const std::bad_alloc&) {
-        return croquis::app::complain("out of memory");
+        return croquis::app::refuse("out of memory");
     } catch (const std::exception& error) {
-        return croquis::app::complain(fmt::format("unexpected: {}", error.what()));
+        return croquis::app::refuse(fmt::format("unexpected: {}", error.what()));
     }
 }

@@ -150,8 +150,8 @@ std::string check_number(const std::string& text) {
 
 std::string check_whole_number(const std::string& text) {
     constexpr std::size_t most_digits = 18;
-    const bool is_good = !text.empty() && text.size() <= most_digits &&
-                         text.find_first_not_of("0123456789") == std::string::npos;
+    const bool is_good =
+        !text.empty() && text.size() <= most_digits && text.find_first_not_of("0123456789") == std::string::npos;
     return is_good ? "" : fmt::format("expected a whole number, found \"{}\"", text);
 }
 

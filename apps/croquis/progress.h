@@ -26,4 +26,8 @@ private:
 /// Says on a terminal what was written; quiet in pipes.
 void report(const std::string& line);
 
+/// Says on standard error what went wrong, as one line: control characters, of a hostile file for one, are shown as
+/// \xNN.
+void complain(const std::string& message);
+
 }  // namespace croquis::app

@@ -171,8 +171,8 @@ bool matches_reference(const Picture& picture, const RenderOptions& options) {
     const Picture::Difference allowed = parse_threshold(options.threshold);
     const Picture::Difference found = picture.difference_from(Picture::read(options.reference));
     if (found.mean <= allowed.mean && found.maximum <= allowed.maximum) return true;
-    fmt::print(stderr, "croquis: {}: the picture differs: mean {:.3f}, maximum {} (allowed: mean {}, maximum {})\n",
-               options.reference, found.mean, found.maximum, allowed.mean, allowed.maximum);
+    complain(fmt::format("{}: the picture differs: mean {:.3f}, maximum {} (allowed: mean {}, maximum {})",
+                         options.reference, found.mean, found.maximum, allowed.mean, allowed.maximum));
     return false;
 }
 
@@ -196,7 +196,7 @@ int run(const RenderOptions& options) {
             if (options.list_passes) print_passes(renderer, model, technique, draw);
         } catch (const Error& error) {
             if (jobs.size() == 1) throw;
-            fmt::print(stderr, "croquis: {}\n", error.what());  // the other models are drawn all the same
+            complain(error.what());  // the other models are drawn all the same
             ++failures;
         }
     }

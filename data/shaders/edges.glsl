@@ -1,6 +1,5 @@
 // Edge detectors on images of surface attributes: seed C, section 3.3. Each looks at a texel and its four neighbours,
 // and marks the texels on both sides of an edge, so that lines are two pixels wide.
-#include "packing.glsl"
 
 #ifdef FRAGMENT_STAGE
 uniform int pixel_scale;  // how far the neighbours are, in texels: more than 1 when the picture is oversampled

@@ -1,103 +1,113 @@
-// All three causes of an edge in one pass over packed attributes: seed C, 3.3.4.
+// All three causes of an edge in one pass over packed attributes: seed C, 3.3.4. The component edge_detect chooses the
+// function that does no more than its variables ask for: on a software renderer every colour and choice costs.
 #include "edges.glsl"
+#include "packing.glsl"
 
 #ifdef FRAGMENT_STAGE
-uniform usampler2D texture_sampler;  // as packing.glsl packs them
+uniform sampler2D texture_sampler;    // normals …
+uniform sampler2D distances_sampler;  // … and distances, as packing.glsl has them
+
+uniform float near_plane;
+uniform float far_plane;
 
 uniform float normal_threshold;
 uniform float depth_threshold;
 uniform float grazing_tolerance;
-uniform vec3 ray_centre;  // from the surface towards the eye, through the frame's middle …
-uniform vec3 ray_right;   // … and how it changes to the frame's right border …
-uniform vec3 ray_top;     // … and to its top
-uniform vec2 frame_size;
 uniform bool detect_ids;
 uniform vec4 normal_edge_color;
 uniform vec4 depth_edge_color;
 uniform vec4 id_edge_color;
 
-// A texel and its neighbours, packed.
+// A texel and its four neighbours.
 struct Cross {
-    uvec2 centre;
-    uvec2 left;
-    uvec2 right;
-    uvec2 below;
-    uvec2 above;
+    vec4 centre;
+    vec4 left;
+    vec4 right;
+    vec4 below;
+    vec4 above;
 };
 
-Cross fetch_cross() {
-    ivec2 last = textureSize(texture_sampler, 0) - 1;
-    return Cross(texelFetch(texture_sampler, tap(here, last), 0).rg, texelFetch(texture_sampler, tap(left, last), 0).rg,
-                 texelFetch(texture_sampler, tap(right, last), 0).rg,
-                 texelFetch(texture_sampler, tap(below, last), 0).rg,
-                 texelFetch(texture_sampler, tap(above, last), 0).rg);
+Cross fetch_cross(sampler2D image) {
+    ivec2 last = textureSize(image, 0) - 1;
+    return Cross(texelFetch(image, tap(here, last), 0), texelFetch(image, tap(left, last), 0),
+                 texelFetch(image, tap(right, last), 0), texelFetch(image, tap(below, last), 0),
+                 texelFetch(image, tap(above, last), 0));
 }
 
-// A cross of unit normals.
-struct Normals {
-    vec3 centre;
-    vec3 left;
-    vec3 right;
-    vec3 below;
-    vec3 above;
-};
-
-Normals unpack_normals(Cross words) {
-    return Normals(unpack_normal(words.centre.x), unpack_normal(words.left.x), unpack_normal(words.right.x),
-                   unpack_normal(words.below.x), unpack_normal(words.above.x));
+// One less the dot product of two unit normals a and b, as |a - b|² / 2: exactly 0 for equal ones, however they are
+// rounded. The texture holds half of a normal plus a half.
+float turn(vec4 a, vec4 b) {
+    vec3 apart = a.xyz - b.xyz;
+    return 2.0 * dot(apart, apart);
 }
 
-// Dot products of the normals with the neighbours': left, right, below, above.
-vec4 neighbour_dots(Normals normals) {
-    return vec4(dot(normals.centre, normals.left), dot(normals.centre, normals.right),
-                dot(normals.centre, normals.below), dot(normals.centre, normals.above));
+// Turns towards the left, right, below and above.
+vec4 turns(Cross normals) {
+    return vec4(turn(normals.centre, normals.left), turn(normals.centre, normals.right),
+                turn(normals.centre, normals.below), turn(normals.centre, normals.above));
+}
+
+float largest(float a, float b, float c, float d) { return max(max(a, b), max(c, d)); }
+
+// Equation 3.13, in scene units. Summed in steps, whole numbers that a float holds exactly.
+float depth_laplacian(Cross distances) {
+    vec2 bytes = distances.left.xy + distances.right.xy + distances.below.xy + distances.above.xy -
+                 4.0 * distances.centre.xy;
+    return abs(round(dot(bytes, depth_weights))) * ((far_plane - near_plane) / depth_steps);
 }
 
 // How much more the depth may bend before it is an edge. Where all of the cross lies on surfaces seen at a grazing
 // angle, the Laplacian of the depth grows with the square of the slope, and would show the facets of smooth meshes;
 // at a silhouette some of the cross lies on what is behind, or on the background.
-float grazing_factor(Normals normals) {
-    vec2 place = gl_FragCoord.xy / frame_size * 2.0 - 1.0;
-    vec3 to_eye = normalize(ray_centre + place.x * ray_right + place.y * ray_top);
-    vec4 around = abs(vec4(dot(normals.left, to_eye), dot(normals.right, to_eye), dot(normals.below, to_eye),
-                           dot(normals.above, to_eye)));
-    float facing = max(abs(dot(normals.centre, to_eye)), max(max(around.x, around.y), max(around.z, around.w)));
+float grazing_factor(Cross distances) {
+    float facing = max(distances.centre.z,
+                       largest(distances.left.z, distances.right.z, distances.below.z, distances.above.z));
     return mix(1.0, 1.0 / (facing * facing + 1e-4), grazing_tolerance);
 }
 
-// Equation 3.13.
-float depth_laplacian(Cross words) {
-    return abs(uintBitsToFloat(words.left.y) + uintBitsToFloat(words.right.y) + uintBitsToFloat(words.below.y) +
-               uintBitsToFloat(words.above.y) - 4.0 * uintBitsToFloat(words.centre.y));
+struct Causes {
+    bool normals;
+    bool depth;
+    bool ids;
+};
+
+bool regions_differ(Cross normals) {
+    float id = normals.centre.w;
+    return normals.left.w != id || normals.right.w != id || normals.below.w != id || normals.above.w != id;
 }
 
-bool regions_differ(Cross words) {
-    uint centre = unpack_region(words.centre.x);
-    return unpack_region(words.left.x) != centre || unpack_region(words.right.x) != centre ||
-           unpack_region(words.below.x) != centre || unpack_region(words.above.x) != centre;
+Causes find_causes() {
+    Cross normals = fetch_cross(texture_sampler);
+    Cross distances = fetch_cross(distances_sampler);
+    vec4 turned = turns(normals);
+    // Equation 3.7: the least of the dot products is one less the largest turn.
+    float sharpest = 1.0 - largest(turned.x, turned.y, turned.z, turned.w);
+    return Causes(sharpest < normal_threshold, depth_laplacian(distances) > depth_threshold * grazing_factor(distances),
+                  detect_ids && regions_differ(normals));
 }
 
-// The colour of the causes found: each cause's own where it is alone, the common one where there are more.
-vec4 cause_color(bool by_normals, bool by_depth, bool by_ids) {
-    int causes = int(by_normals) + int(by_depth) + int(by_ids);
-    if (causes == 0) return non_edge_color;
-    if (causes > 1) return edge_color;
-    return by_normals ? normal_edge_color : (by_depth ? depth_edge_color : id_edge_color);
+// Edges of one colour, whatever their cause.
+vec4 one_color() {
+    Causes causes = find_causes();
+    return causes.normals || causes.depth || causes.ids ? edge_color : non_edge_color;
 }
 
-vec4 detect() {
-    Cross words = fetch_cross();
-    Normals normals = unpack_normals(words);
-    vec4 dots = neighbour_dots(normals);
-    float laplacian = depth_laplacian(words) / grazing_factor(normals);
-    bool by_ids = detect_ids && regions_differ(words);
-    if (apply_threshold) {
-        float sharpest = min(min(dots.x, dots.y), min(dots.z, dots.w));  // equation 3.7
-        return cause_color(sharpest < normal_threshold, laplacian > depth_threshold, by_ids);
-    }
-    float turn = 4.0 - (dots.x + dots.y + dots.z + dots.w);  // equation 3.8
-    vec4 color = mix(non_edge_color, normal_edge_color, clamp(normal_threshold * turn, 0.0, 1.0));
-    color = mix(color, depth_edge_color, clamp(depth_threshold * laplacian, 0.0, 1.0));
-    return by_ids ? id_edge_color : color;
+// Each cause's own colour where it is alone, the common one where there are more.
+vec4 color_by_cause() {
+    Causes causes = find_causes();
+    bool by_surface = causes.normals || causes.depth;
+    bool several = (causes.normals && causes.depth) || (causes.ids && by_surface);
+    vec4 single = causes.normals ? normal_edge_color : (causes.depth ? depth_edge_color : id_edge_color);
+    return by_surface || causes.ids ? (several ? edge_color : single) : non_edge_color;
+}
+
+// Gradual intensities in place of a yes or no: equation 3.8, and the Laplacian times its threshold.
+vec4 intensity() {
+    Cross normals = fetch_cross(texture_sampler);
+    float by_normals = normal_threshold * dot(turns(normals), vec4(1.0));
+    float by_depth = depth_threshold * depth_laplacian(fetch_cross(distances_sampler));
+    vec4 color = mix(non_edge_color, normal_edge_color, clamp(by_normals, 0.0, 1.0));
+    color = mix(color, depth_edge_color, clamp(by_depth, 0.0, 1.0));
+    return detect_ids && regions_differ(normals) ? id_edge_color : color;
 }
 #endif

@@ -1,34 +1,20 @@
-// Normal, region id and linear eye distance in two words: the first holds the normal as two numbers of 10 bits (an
-// octahedron unfolded) above 12 bits of region id; the second is the distance as a float. A region of 0 is background.
+// Surface attributes in two textures of four bytes a pixel, which every renderer reads fast (the same rule in C++:
+// framework/surface_attributes.h):
+//   normals:   the world-space normal in red, green and blue, 0 to 1 for -1 to 1; the region id in alpha
+//   distances: linear depth of 16 bits in red (high byte) and green; in blue how far the surface faces the eye:
+//              1 straight, 0 edge on
+// A region of 0 is background.
 
-const uint region_bits = 12u;
-const float octahedron_steps = 1023.0;
+// Depth in steps of 1/65535 of the way from the near to the far plane, from the two bytes in 0 to 1.
+const float depth_steps = 65535.0;
+const vec2 depth_weights = vec2(256.0, 1.0) * 255.0;
 
-vec2 sign_not_zero(vec2 v) { return vec2(v.x < 0.0 ? -1.0 : 1.0, v.y < 0.0 ? -1.0 : 1.0); }
-
-uint pack_normal(vec3 normal) {
-    vec2 flat_part = normal.xy / (abs(normal.x) + abs(normal.y) + abs(normal.z));
-    if (normal.z < 0.0) flat_part = (1.0 - abs(flat_part.yx)) * sign_not_zero(flat_part);
-    uvec2 steps = uvec2(round((flat_part * 0.5 + 0.5) * octahedron_steps));
-    return (steps.x << 10) | steps.y;
+// A linear depth of 0 to 1 as two bytes in 0 to 1, the high one first.
+vec2 pack_depth(float depth) {
+    float number = round(clamp(depth, 0.0, 1.0) * depth_steps);
+    float high = floor(number / 256.0);
+    return vec2(high, number - 256.0 * high) / 255.0;
 }
 
-vec3 unpack_normal(uint word) {
-    vec2 flat_part = vec2(float(word >> 22), float((word >> 12) & 1023u)) * (2.0 / octahedron_steps) - 1.0;
-    vec3 normal = vec3(flat_part, 1.0 - abs(flat_part.x) - abs(flat_part.y));
-    float below = max(-normal.z, 0.0);
-    normal.xy -= sign_not_zero(normal.xy) * below;
-    return normalize(normal);
-}
-
-// Region ids past what 12 bits hold start again at 1: neighbours stay apart unless they lie 4,095 regions apart.
-uint pack_region(uint region_id) {
-    uint most = (1u << region_bits) - 1u;
-    return region_id == 0u ? 0u : (region_id - 1u) % most + 1u;
-}
-
-uint unpack_region(uint word) { return word & ((1u << region_bits) - 1u); }
-
-uvec2 pack_attributes(vec3 normal, uint region_id, float eye_distance) {
-    return uvec2((pack_normal(normal) << region_bits) | pack_region(region_id), floatBitsToUint(eye_distance));
-}
+// Region ids past 255 start again at 1: neighbours stay apart unless they lie a multiple of 255 apart.
+float pack_region(uint region_id) { return region_id == 0u ? 0.0 : float((region_id - 1u) % 255u + 1u) / 255.0; }

@@ -1,24 +1,11 @@
 // Cartoon shading through a toon map: seed C, section 4.2, equations 4.4-4.6.
 #include "light.glsl"
 
-between float intensity_front;
-between float intensity_back;
-
 // Equation 4.4.
 float lighting_intensity(vec3 normal, vec3 position) {
     vec2 factors = lighting_factors(normal, position);
     return factors.x + factors.y * color_intensity(material_specular);
 }
-
-#ifdef VERTEX_STAGE
-// The lighting intensity at each vertex, to be interpolated over the triangle.
-vec4 toon_per_vertex_transform() {
-    vec4 position = transform_surface();
-    intensity_front = lighting_intensity(normal_scene, position_scene);
-    intensity_back = lighting_intensity(-normal_scene, position_scene);
-    return position;
-}
-#endif
 
 #ifdef FRAGMENT_STAGE
 uniform sampler2D toon_map_sampler;
@@ -36,6 +23,4 @@ vec4 toon_color(float intensity) {
 }
 
 vec4 toon() { return toon_color(lighting_intensity(facing_normal(), position_scene)); }
-
-vec4 toon_per_vertex() { return toon_color(gl_FrontFacing ? intensity_front : intensity_back); }
 #endif

@@ -46,7 +46,4 @@ vec4 edge_quad() {
 
 #ifdef FRAGMENT_STAGE
 vec4 line() { return vec4(color, clamp(across.y + 0.5 - abs(across.x), 0.0, 1.0)); }
-
-// For passes that only fill the depth buffer.
-vec4 nothing() { return vec4(0.0); }
 #endif

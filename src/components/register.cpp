@@ -15,6 +15,7 @@ framework::ComponentTable core_components() {
     return {
         CORE_COMPONENT(background),
         CORE_COMPONENT(copy_to_texture),
+        CORE_COMPONENT(edge_detect),
         CORE_COMPONENT(generate_texture),
         CORE_COMPONENT(overlay),
         CORE_COMPONENT(ping_pong),

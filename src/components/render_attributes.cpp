@@ -1,11 +1,10 @@
-// render_attributes: normals, region ids and linear depth from one pass over the scene, packed into two words a pixel
-// (seed C, 3.4; row E6).
-#include <glm/common.hpp>
-
+// render_attributes: normals, region ids and linear depth from one pass over the scene into two textures (seed C, 3.4;
+// row E6).
+#include "base/error.h"
 #include "components/shader_pair.h"
 #include "framework/component.h"
-#include "framework/render_target.h"
-#include "framework/surface_words.h"
+#include "framework/render_context.h"
+#include "framework/surface_attributes.h"
 
 namespace croquis::components {
 namespace {
@@ -17,22 +16,20 @@ class RenderAttributes final : public framework::Component {
 public:
     explicit RenderAttributes(const Pass& pass)
         : Component(pass),
-          target_(pass, gpu::TextureFormat::rg32ui),
+          target_(make_target(pass)),
           objects_(pass.variable<std::string>("objects")),
           keep_color_(pass.variable<bool>("keep_color")),
           keep_depth_(pass.variable<bool>("keep_depth")),
-          shaders_(pass, gpu::Output::words) {
-        if (target_.is_frame()) fail("component {} needs a render_target: the frame holds no words", pass.component().name);
-    }
+          shaders_(pass, gpu::Output::two) {}
 
     void variable_changed(std::string_view name) override { shaders_.variable_changed(name); }
 
 protected:
     void render(RenderContext& context) override {
-        gpu::Framebuffer& target = target_.prepare(context);
-        if (!keep_color_.value()) target.clear_words(background_words(context.camera));
-        if (!keep_depth_.value()) target.clear_depth();
-        target.bind();
+        target_.resize(context.frame.width(), context.frame.height());
+        if (!keep_color_.value()) clear_to_background(context.camera);
+        if (!keep_depth_.value()) target_.clear_depth();
+        target_.bind();
         const gpu::Program& program = shaders_.program();
         program.use();
         context.apply(program);
@@ -42,14 +39,28 @@ protected:
     }
 
 private:
-    // A normal into the screen, no region, and the far plane's distance.
-    [[nodiscard]] static glm::uvec4 background_words(const model::Camera& camera) {
-        const framework::SurfaceWords words =
-            framework::pack({-glm::vec3(camera.back), 0, float(camera.far_plane)});
-        return {words[0], words[1], 0, 0};
+    static gpu::Framebuffer make_target(const Pass& pass) {
+        const std::string& name = pass.variable<std::string>("render_target").value();
+        if (name.empty()) fail("component {} needs a name in render_target", pass.component().name);
+        framework::GeneratedTextures& generated = pass.generated();
+        return gpu::Framebuffer(pass.resources().gpu(),
+                                generated.declare(name + "_normals", gpu::TextureFormat::rgba8),
+                                generated.declare(name + "_depth", gpu::TextureFormat::depth),
+                                generated.declare(name + "_distances", gpu::TextureFormat::rgba8));
     }
 
-    framework::RenderTarget target_;
+    // A normal into the screen (seed C, 3.3.1), no region, the far plane's depth.
+    void clear_to_background(const model::Camera& camera) const {
+        const framework::PackedAttributes background =
+            framework::pack({.normal = -glm::vec3(camera.back), .region = 0, .depth = 1.0f, .facing = 1.0f});
+        const auto color = [](const std::array<std::uint8_t, 4>& bytes) {
+            return glm::vec4(bytes[0], bytes[1], bytes[2], bytes[3]) / 255.0f;
+        };
+        target_.clear_color(color(background.normals));
+        target_.clear_second_color(color(background.distances));
+    }
+
+    gpu::Framebuffer target_;
     framework::Variable<std::string> objects_;
     framework::Variable<bool> keep_color_;
     framework::Variable<bool> keep_depth_;

@@ -14,7 +14,7 @@ namespace croquis::components {
 class ShaderPair {
 public:
     /// For passes that draw the scene: both names are variables.
-    explicit ShaderPair(const framework::Pass& pass, gpu::Output output = gpu::Output::color)
+    explicit ShaderPair(const framework::Pass& pass, gpu::Output output = gpu::Output::one)
         : pass_(pass), output_(output) {
         link();
     }
@@ -33,7 +33,7 @@ private:
     static constexpr const char* full_screen_vertex = "image:full_screen";
 
     ShaderPair(const framework::Pass& pass, const char* vertex)
-        : pass_(pass), output_(gpu::Output::color), fixed_vertex_(vertex) {
+        : pass_(pass), output_(gpu::Output::one), fixed_vertex_(vertex) {
         link();
     }
 

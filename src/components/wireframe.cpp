@@ -21,7 +21,7 @@ public:
           clear_color_(pass.variable<glm::vec3>("clear_color")),
           objects_(pass.variable<std::string>("objects")),
           lines_(pass.resources().program("wireframe:edge_quad", "wireframe:line")),
-          depth_only_(pass.resources().program("default:default_transform", "wireframe:nothing")) {}
+          depth_only_(pass.resources().program("default:default_transform", "attributes:nothing")) {}
 
 protected:
     void render(RenderContext& context) override {

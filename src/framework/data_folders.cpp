@@ -1,5 +1,7 @@
 #include "framework/data_folders.h"
 
+#include <dlfcn.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <set>
@@ -16,6 +18,16 @@ bool is_data_folder(const fs::path& folder) {
     return fs::is_directory(folder / "components", error) && fs::is_directory(folder / "techniques", error);
 }
 
+// The folder of the shared library that this code is part of, wherever it was moved to; of the program where there is
+// none.
+fs::path library_folder() {
+    static const char in_this_library = 0;
+    Dl_info info{};
+    if (dladdr(&in_this_library, &info) == 0 || info.dli_fname == nullptr) return {};
+    std::error_code error;
+    return fs::canonical(info.dli_fname, error).parent_path();
+}
+
 std::vector<fs::path> places_of_shipped_data() {
     std::vector<fs::path> places;
     std::error_code error;
@@ -23,6 +35,9 @@ std::vector<fs::path> places_of_shipped_data() {
     if (!error) {
         places.push_back(program.parent_path() / "data");
         places.push_back(program.parent_path().parent_path() / "share" / "croquis");
+    }
+    if (const fs::path library = library_folder(); !library.empty()) {
+        places.push_back((library / CROQUIS_DATA_FROM_LIBRARY).lexically_normal());
     }
     places.emplace_back(CROQUIS_INSTALLED_DATA);
     places.emplace_back(CROQUIS_SOURCE_DATA);

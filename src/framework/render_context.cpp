@@ -1,9 +1,9 @@
 #include "framework/render_context.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
-#include "gpu/state.h"
 
 namespace croquis::framework {
 namespace {
@@ -21,17 +21,6 @@ glm::vec4 light_in_scene(const Light& light, const model::Camera& camera) {
 glm::vec4 eye_in_scene(const model::Camera& camera) {
     if (camera.projection == model::Projection::parallel) return {glm::vec3(camera.back), 0.0f};
     return {glm::vec3(camera.eye), 1.0f};
-}
-
-// The direction from a pixel's surface to the eye is centre + x · right + y · top, for x and y from -1 to 1.
-struct Rays {
-    glm::vec3 centre, right, top;
-};
-
-Rays rays_to_eye(const model::Camera& camera, double aspect) {
-    if (camera.projection == model::Projection::parallel) return {glm::vec3(camera.back), {}, {}};
-    return {glm::vec3(camera.back), glm::vec3(-camera.right * camera.tangent * aspect),
-            glm::vec3(-camera.up * camera.tangent)};
 }
 
 }  // namespace
@@ -54,11 +43,30 @@ void RenderContext::tile_frame(const gpu::Program& program, const gpu::Texture& 
     resources.draw_full_screen();
 }
 
+gpu::Rectangle RenderContext::model_rectangle(int width, int height, int margin) const {
+    const glm::mat4 clip_from_scene = camera.clip_from_eye(aspect()) * camera.eye_from_scene();
+    const model::Bounds& box = scene.bounds();
+    const glm::vec2 size(width, height);
+    glm::vec2 low = size, high(0.0f);
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::vec4 clip = clip_from_scene * glm::vec4((corner & 1) != 0 ? box.high.x : box.low.x,
+                                                           (corner & 2) != 0 ? box.high.y : box.low.y,
+                                                           (corner & 4) != 0 ? box.high.z : box.low.z, 1.0f);
+        if (!(clip.w > 0)) return {0, 0, width, height};  // the eye stands within the box, or it reaches behind the eye
+        const glm::vec2 place = glm::clamp((glm::vec2(clip) / clip.w * 0.5f + 0.5f) * size, glm::vec2(0.0f), size);
+        low = glm::min(low, place);
+        high = glm::max(high, place);
+    }
+    const glm::ivec2 from = glm::max(glm::ivec2(glm::floor(low)) - margin, glm::ivec2(0));
+    const glm::ivec2 to = glm::min(glm::ivec2(glm::ceil(high)) + margin, glm::ivec2(width, height));
+    return {from.x, from.y, to.x - from.x, to.y - from.y};
+}
+
 bool RenderContext::eye_is_outside() const {
     if (camera.projection == model::Projection::parallel) return true;
-    const model::Bounds& bounds = scene.model().bounds;
-    const glm::dvec3 half_box = 0.5 * glm::dvec3(bounds.high - bounds.low) / model::SceneSpace::of(scene.model()).radius;
-    return glm::any(glm::greaterThan(glm::abs(camera.eye), half_box));
+    const model::Bounds& box = scene.bounds();
+    return glm::any(glm::lessThan(camera.eye, glm::dvec3(box.low))) ||
+           glm::any(glm::greaterThan(camera.eye, glm::dvec3(box.high)));
 }
 
 void RenderContext::apply(const gpu::Program& program) const {
@@ -68,10 +76,6 @@ void RenderContext::apply(const gpu::Program& program) const {
     program.set("clip_from_scene", clip_from_eye * eye_from_scene);
     program.set("scene_from_model", scene.scene_from_model());
     program.set("eye_scene", eye_in_scene(camera));
-    const Rays rays = rays_to_eye(camera, aspect());
-    program.set("ray_centre", rays.centre);
-    program.set("ray_right", rays.right);
-    program.set("ray_top", rays.top);
     program.set("light_scene", light_in_scene(light, camera));
     program.set("light_color", light.color);
     program.set("near_plane", float(camera.near_plane));

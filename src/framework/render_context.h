@@ -10,6 +10,7 @@
 #include "framework/resources.h"
 #include "framework/scene.h"
 #include "gpu/framebuffer.h"
+#include "gpu/state.h"
 #include "model/camera.h"
 
 namespace croquis::framework {
@@ -52,6 +53,10 @@ struct RenderContext {
 
     /// Fills the frame with an image, from the upper left, with the program of image:tiled.
     void tile_frame(const gpu::Program& program, const gpu::Texture& image, float scale) const;
+
+    /// The part of a target that the model's box covers, and `margin` pixels around it: all that can hold anything of
+    /// the model (seed A, 5.4.1).
+    [[nodiscard]] gpu::Rectangle model_rectangle(int width, int height, int margin) const;
 
     /// True when the eye stands outside the model's box: then the backs of closed meshes cannot be seen.
     [[nodiscard]] bool eye_is_outside() const;

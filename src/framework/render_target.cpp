@@ -13,7 +13,7 @@ int side(std::int32_t asked, int frame, int pixel_scale, int longest) {
 
 }  // namespace
 
-RenderTarget::RenderTarget(const Pass& pass, gpu::TextureFormat format)
+RenderTarget::RenderTarget(const Pass& pass)
     : width_(pass.variable<std::int32_t>("render_target_width")),
       height_(pass.variable<std::int32_t>("render_target_height")),
       keep_color_(pass.variable<bool>("keep_color")),
@@ -21,7 +21,7 @@ RenderTarget::RenderTarget(const Pass& pass, gpu::TextureFormat format)
     const std::string& name = pass.variable<std::string>("render_target").value();
     if (name.empty()) return;
     framebuffer_ = std::make_unique<gpu::Framebuffer>(
-        pass.resources().gpu(), pass.generated().declare(name + "_color", format),
+        pass.resources().gpu(), pass.generated().declare(name + "_color", gpu::TextureFormat::rgba8),
         pass.generated().declare(name + "_depth", gpu::TextureFormat::depth));
 }
 

@@ -16,7 +16,7 @@ namespace croquis::framework {
 /// pixels, and -n is the frame's divided by n.
 class RenderTarget {
 public:
-    explicit RenderTarget(const Pass& pass, gpu::TextureFormat format = gpu::TextureFormat::rgba8);
+    explicit RenderTarget(const Pass& pass);
 
     [[nodiscard]] bool is_frame() const { return !framebuffer_; }
 

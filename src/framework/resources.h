@@ -25,7 +25,7 @@ public:
 
     /// The program of two shader functions, `file:function` each. Throws Error when either is missing or wrong.
     [[nodiscard]] std::shared_ptr<const gpu::Program> program(const std::string& vertex, const std::string& fragment,
-                                                              gpu::Output output = gpu::Output::color);
+                                                              gpu::Output output = gpu::Output::one);
 
     /// An image of data/textures. Throws Error with the nearest directory or image.
     [[nodiscard]] std::shared_ptr<const gpu::Texture> image(const TextureName& name);

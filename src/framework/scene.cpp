@@ -92,6 +92,19 @@ Scene::Scene(Resources& resources, std::shared_ptr<const model::Model> model)
         parts_.push_back(
             {upload(resources.gpu(), mesh), image ? resources.image(image) : nullptr, cull_of(topology, i), nullptr});
     }
+    find_bounds();
+}
+
+void Scene::find_bounds() {
+    model::Bounds box = model_->bounds;
+    if (pose_) {
+        box = {};
+        for (const model::MeshPose& mesh : *pose_) {
+            for (const glm::vec3& position : mesh.positions) box.add(position);
+        }
+    }
+    bounds_ = {glm::vec3(scene_from_model_ * glm::vec4(box.low, 1.0f)),
+               glm::vec3(scene_from_model_ * glm::vec4(box.high, 1.0f))};
 }
 
 void Scene::set_pose(model::Pose pose) {
@@ -113,6 +126,7 @@ void Scene::upload_positions(const model::Pose* pose) {
         parts_[i].surface->update(0, std::as_bytes(std::span(vertices)));
         parts_[i].edges.reset();
     }
+    find_bounds();
 }
 
 void Scene::draw_surfaces(const ObjectSelection& selection, const gpu::Program& program, gpu::DrawState state,

@@ -40,6 +40,9 @@ public:
     [[nodiscard]] const model::Pose* pose() const { return pose_ ? &*pose_ : nullptr; }
     [[nodiscard]] const glm::mat4& scene_from_model() const { return scene_from_model_; }
 
+    /// The box of the vertices as they stand now, in scene space.
+    [[nodiscard]] const model::Bounds& bounds() const { return bounds_; }
+
     /// Moves the vertices to a pose of the model. Nothing else is uploaded again.
     void set_pose(model::Pose pose);
     /// Back to the model at rest.
@@ -69,12 +72,14 @@ private:
     };
 
     void upload_positions(const model::Pose* pose);
+    void find_bounds();
     [[nodiscard]] std::unique_ptr<gpu::Geometry> make_edges(std::size_t mesh) const;
 
     Resources* resources_;
     std::shared_ptr<const model::Model> model_;
     std::optional<model::Pose> pose_;
     glm::mat4 scene_from_model_;
+    model::Bounds bounds_;
     std::vector<Part> parts_;  // one a mesh
 };
 

@@ -3,6 +3,7 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 
 #include "base/error.h"
@@ -19,19 +20,28 @@ void flip_rows(std::vector<Word>& words, std::size_t row, int height) {
     }
 }
 
+void attach(GLenum point, const std::shared_ptr<Texture>& texture) {
+    if (texture) glFramebufferTexture2D(GL_FRAMEBUFFER, point, GL_TEXTURE_2D, texture->id(), 0);
+}
+
 }  // namespace
 
-Framebuffer::Framebuffer(Context& context, std::shared_ptr<Texture> color, std::shared_ptr<Texture> depth)
-    : context_(&context), color_(std::move(color)), depth_(std::move(depth)) {
+Framebuffer::Framebuffer(Context& context, std::shared_ptr<Texture> color, std::shared_ptr<Texture> depth,
+                         std::shared_ptr<Texture> second_color)
+    : context_(&context),
+      color_(std::move(color)),
+      second_color_(std::move(second_color)),
+      depth_(std::move(depth)) {
     assert(color_ || depth_);
     glGenFramebuffers(1, &id_);
     ++context_->counters().live_framebuffers;
     glBindFramebuffer(GL_FRAMEBUFFER, id_);
-    if (color_) glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color_->id(), 0);
-    if (depth_) glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_->id(), 0);
-    const GLenum buffer = color_ ? GL_COLOR_ATTACHMENT0 : GL_NONE;
-    glDrawBuffers(1, &buffer);
-    glReadBuffer(buffer);
+    attach(GL_COLOR_ATTACHMENT0, color_);
+    attach(GL_COLOR_ATTACHMENT1, second_color_);
+    attach(GL_DEPTH_ATTACHMENT, depth_);
+    const std::array<GLenum, 2> buffers{GLenum(color_ ? GL_COLOR_ATTACHMENT0 : GL_NONE), GL_COLOR_ATTACHMENT1};
+    glDrawBuffers(second_color_ ? 2 : 1, buffers.data());
+    glReadBuffer(buffers.front());
     const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
     if (status != GL_FRAMEBUFFER_COMPLETE) {
         glDeleteFramebuffers(1, &id_);
@@ -50,6 +60,7 @@ int Framebuffer::height() const { return color_ ? color_->height() : depth_->hei
 
 void Framebuffer::resize(int width, int height) {
     if (color_) color_->resize(width, height);
+    if (second_color_) second_color_->resize(width, height);
     if (depth_) depth_->resize(width, height);
 }
 
@@ -64,10 +75,10 @@ void Framebuffer::clear_color(const glm::vec4& color) const {
     glClearBufferfv(GL_COLOR, 0, &color.x);
 }
 
-void Framebuffer::clear_words(const glm::uvec4& words) const {
+void Framebuffer::clear_second_color(const glm::vec4& color) const {
     bind();
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    glClearBufferuiv(GL_COLOR, 0, &words.x);
+    glClearBufferfv(GL_COLOR, 1, &color.x);
 }
 
 void Framebuffer::clear_depth() const {
@@ -77,30 +88,17 @@ void Framebuffer::clear_depth() const {
     glClearBufferfv(GL_DEPTH, 0, &far_plane);
 }
 
-std::vector<std::uint8_t> Framebuffer::read_pixels() const {
+std::vector<std::uint8_t> Framebuffer::read(unsigned attachment) const {
     bind();
+    glReadBuffer(GL_COLOR_ATTACHMENT0 + attachment);
     ++context_->counters().read_backs;
     const std::size_t row = std::size_t(width()) * 4;
     std::vector<std::uint8_t> pixels(row * std::size_t(height()));
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
     glReadPixels(0, 0, width(), height(), GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    glReadBuffer(color_ ? GL_COLOR_ATTACHMENT0 : GL_NONE);
     flip_rows(pixels, row, height());
     return pixels;
-}
-
-std::vector<std::uint32_t> Framebuffer::read_words() const {
-    bind();
-    ++context_->counters().read_backs;
-    // ES guarantees four words a pixel only.
-    std::vector<std::uint32_t> four(std::size_t(width()) * std::size_t(height()) * 4);
-    glReadPixels(0, 0, width(), height(), GL_RGBA_INTEGER, GL_UNSIGNED_INT, four.data());
-    flip_rows(four, std::size_t(width()) * 4, height());
-    std::vector<std::uint32_t> two(four.size() / 2);
-    for (std::size_t i = 0; i < two.size() / 2; ++i) {
-        two[2 * i] = four[4 * i];
-        two[2 * i + 1] = four[4 * i + 1];
-    }
-    return two;
 }
 
 void Framebuffer::copy_to(Framebuffer& destination, Part part) const {

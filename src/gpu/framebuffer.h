@@ -11,10 +11,11 @@
 
 namespace croquis::gpu {
 
-/// A colour texture and a depth texture to draw to. Either may be missing.
+/// Textures to draw to: one colour, or two that one pass fills at once, or none; and depth, or none.
 class Framebuffer {
 public:
-    Framebuffer(Context& context, std::shared_ptr<Texture> color, std::shared_ptr<Texture> depth);
+    Framebuffer(Context& context, std::shared_ptr<Texture> color, std::shared_ptr<Texture> depth,
+                std::shared_ptr<Texture> second_color = nullptr);
     ~Framebuffer();
     Framebuffer(const Framebuffer&) = delete;
     Framebuffer& operator=(const Framebuffer&) = delete;
@@ -31,21 +32,23 @@ public:
     void bind() const;
 
     void clear_color(const glm::vec4& color) const;
-    void clear_words(const glm::uvec4& words) const;  ///< for integer formats
-    void clear_depth() const;                         ///< to the far plane
+    void clear_second_color(const glm::vec4& color) const;
+    void clear_depth() const;  ///< to the far plane
 
     /// The colours as 8-bit RGBA, rows from top to bottom. Waits for the picture: counted as a read-back.
-    [[nodiscard]] std::vector<std::uint8_t> read_pixels() const;
-    /// The words of an rg32ui target, two a pixel, rows from top to bottom. Counted as a read-back.
-    [[nodiscard]] std::vector<std::uint32_t> read_words() const;
+    [[nodiscard]] std::vector<std::uint8_t> read_pixels() const { return read(0); }
+    [[nodiscard]] std::vector<std::uint8_t> read_second_pixels() const { return read(1); }
 
     /// Copies the colour or the depth to another framebuffer of the same size and formats.
     enum class Part { color, depth };
     void copy_to(Framebuffer& destination, Part part) const;
 
 private:
+    [[nodiscard]] std::vector<std::uint8_t> read(unsigned attachment) const;
+
     Context* context_;
     std::shared_ptr<Texture> color_;
+    std::shared_ptr<Texture> second_color_;
     std::shared_ptr<Texture> depth_;
     unsigned id_ = 0;
 };

@@ -20,11 +20,13 @@ std::string header_for(Api api, Stage stage, Output output) {
     }
     if (stage == Stage::vertex) return header + "#define VERTEX_STAGE\n#define between out\n";
     header += "#define FRAGMENT_STAGE\n#define between in\n";
-    return header + fmt::format("layout(location = 0) out {} croquis_output;\n", output == Output::color ? "vec4" : "uvec4");
+    header += "layout(location = 0) out vec4 first_output;\n";
+    // Where only one is asked for, the second is assigned and forgotten.
+    return header + (output == Output::two ? "layout(location = 1) out vec4 second_output;\n" : "vec4 second_output;\n");
 }
 
 std::string main_for(const ShaderSource& source, Stage stage) {
-    const char* result = stage == Stage::vertex ? "gl_Position" : "croquis_output";
+    const char* result = stage == Stage::vertex ? "gl_Position" : "first_output";
     return fmt::format("\nvoid main() {{ {} = {}(); }}\n", result, source.function);
 }
 

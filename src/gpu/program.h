@@ -27,13 +27,14 @@ using FindShader = std::function<ShaderFile(const std::string& name)>;
 
 enum class Stage { vertex, fragment };
 
-/// What the fragment function returns: a colour (vec4) or packed words (uvec4).
-enum class Output { color, words };
+/// How many colours the fragment function gives: the one it returns, or a second too, which it assigns to
+/// `second_output`.
+enum class Output { one, two };
 
 /// One function of one file, with all that the file includes, ready to compile for either API.
 ///
 /// A vertex function has the form `vec4 name()` and returns the clip-space position; a fragment function returns the
-/// pixel's colour as `vec4 name()`, or its words as `uvec4 name()`. A file is compiled for both stages: what belongs to
+/// pixel's colour as `vec4 name()`. A file is compiled for both stages: what belongs to
 /// one stands between `#ifdef VERTEX_STAGE` (or `FRAGMENT_STAGE`) and `#endif`, and a variable that goes from one to
 /// the other is declared `between vec3 normal_world;`.
 struct ShaderSource {

@@ -62,9 +62,9 @@ private:
     std::vector<std::string> read_;
 };
 
-// Names of functions without parameters that return a vector of four: those that can be entry points.
+// Names of functions without parameters that return a vec4: those that can be entry points.
 std::vector<std::string> entry_functions(const std::string& text) {
-    static const std::regex definition(R"re(\bu?vec4\s+([A-Za-z_]\w*)\s*\(\s*(?:void)?\s*\)\s*\{)re");
+    static const std::regex definition(R"re(\bvec4\s+([A-Za-z_]\w*)\s*\(\s*(?:void)?\s*\)\s*\{)re");
     std::vector<std::string> names;
     for (std::sregex_iterator i(text.begin(), text.end(), definition), end; i != end; ++i) names.push_back((*i)[1].str());
     return names;

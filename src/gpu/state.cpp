@@ -39,6 +39,8 @@ void apply(const DrawState& state) {
     glFrontFace(GL_CCW);
     enable(GL_POLYGON_OFFSET_FILL, state.push_back != 0);
     if (state.push_back != 0) glPolygonOffset(state.push_back, state.push_back);
+    enable(GL_SCISSOR_TEST, state.within.has_value());
+    if (state.within) glScissor(state.within->x, state.within->y, state.within->width, state.within->height);
 }
 
 SavedState::SavedState() {

@@ -1,7 +1,17 @@
 // The fixed-function state of a draw, said in one place instead of left over from the last one.
 #pragma once
 
+#include <optional>
+
 namespace croquis::gpu {
+
+/// Pixels of a target, from its lower left.
+struct Rectangle {
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int height = 0;
+};
 
 enum class Cull { none, back, front };
 enum class DepthTest { off, nearer, nearer_or_equal };
@@ -23,6 +33,7 @@ struct DrawState {
     Cull cull = Cull::none;
     /// Pushes surfaces away from the eye so that lines on them show: glPolygonOffset's factor and units.
     float push_back = 0;
+    std::optional<Rectangle> within = std::nullopt;  ///< draw nothing outside
 };
 
 void apply(const DrawState& state);

@@ -10,7 +10,6 @@ namespace croquis::gpu {
 
 enum class TextureFormat {
     rgba8,    ///< colours
-    rg32ui,   ///< two whole words a pixel: packed surface attributes
     rgba16f,  ///< where the context can draw to it
     depth,    ///< 24 bits, window-space depth
 };

@@ -59,7 +59,8 @@ TEST(WriteFileWhole, LeavesNothingBehindWhenItCannotReplace) {
     write_file_whole(path, "old");
     // A name so long that the file beside it cannot be made.
     const auto longest = folder.path() / std::string(255, 'n');
-    EXPECT_EQ(error_of([&] { write_file_whole(longest, "x"); }), longest.string() + ": cannot write: File name too long");
+    EXPECT_EQ(error_of([&] { write_file_whole(longest, "x"); }),
+              longest.string() + ": cannot write: File name too long");
     EXPECT_EQ(read_file(path, 100), "old");
     EXPECT_EQ(file_count(folder.path()), 1u);
 }
@@ -78,7 +79,8 @@ TEST(ReadFile, TellsWhatIsWrong) {
 }
 
 TEST(ReadFile, IsBoundedForFilesWithoutEnd) {
-    EXPECT_EQ(error_of([] { (void)read_file("/dev/zero", 1000); }), "/dev/zero: larger than the 1000 bytes allowed here");
+    EXPECT_EQ(error_of([] { (void)read_file("/dev/zero", 1000); }),
+              "/dev/zero: larger than the 1000 bytes allowed here");
 }
 
 }  // namespace

@@ -17,13 +17,18 @@ TEST(ParallelFor, CoversEachItemOnce) {
                 EXPECT_LT(begin, end);
                 for (std::size_t i = begin; i < end; ++i) ++visits[i];
             });
-            for (std::size_t i = 0; i < count; ++i) ASSERT_EQ(visits[i], 1) << i << " of " << count << ", grain " << grain;
+            for (std::size_t i = 0; i < count; ++i)
+                ASSERT_EQ(visits[i], 1) << i << " of " << count << ", grain " << grain;
         }
     }
 }
 
 TEST(ParallelFor, HandsOnWhatTheBodyThrows) {
-    EXPECT_THROW(parallel_for(1000, 1, [](std::size_t begin, std::size_t) { if (begin > 10) throw 1; }), int);
+    EXPECT_THROW(parallel_for(1000, 1,
+                              [](std::size_t begin, std::size_t) {
+                                  if (begin > 10) throw 1;
+                              }),
+                 int);
 }
 
 }  // namespace

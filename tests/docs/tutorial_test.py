@@ -1,26 +1,29 @@
 #!/usr/bin/python3
 """Follow docs/tutorial-component.md to the letter, in a copy of the sources, and look at what it draws.
 
-tutorial_test.py SOURCES FOLDER: copies the sources into FOLDER (only what changed since the last time), puts the page's
-blocks into their files, builds the program and the page's test there, and runs both. Objects that another build of the
-same sources made come from ccache: CCACHE_BASEDIR makes the two trees look alike.
+tutorial_test.py SOURCES FOLDER [--update]: copies the sources into FOLDER (only what changed since the last time), puts
+the page's blocks into their files, builds the program and the page's test there, and runs both. Objects that another
+build of the same sources made come from ccache: CCACHE_BASEDIR makes the two trees look alike. --update writes the page's
+picture instead of comparing with it.
 """
 
+import collections
 import os
 import pathlib
-import re
 import shlex
 import shutil
 import subprocess
 import sys
 
-from PIL import Image
+from PIL import Image, ImageChops, ImageStat
 
 from markdown import blocks, commands
 
 PAGE = "docs/tutorial-component.md"
 COPIED = ("CMakeLists.txt", "CMakePresets.json", "LICENSE", "README.md", "apps", "bench", "cmake", "data", "include", "src",
           "tests", "docs", "tools")
+PICTURE = "docs/pictures/tutorial.png"
+MOST_DIFFERENCE = 0.5  # in the mean, of 255: drivers round edges differently
 PRESET_FOLDER = "build/release"  # where the page's reader builds, and as deep as any other build
 FILE_LANGUAGES = {"component", "glsl", "cpp", "technique", "cmake"}
 
@@ -70,7 +73,8 @@ def write_changed(tree, folder):
 # --- Building and running ----------------------------------------------------------------------
 
 
-def run(command, folder, environment=None):
+def run(command, folder, **variables):
+    environment = {name: value for name, value in os.environ.items() if name != "CROQUIS_DATA"} | variables
     done = subprocess.run(command, cwd=folder, env=environment, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     if done.returncode != 0:
         sys.exit(f"{shlex.join(map(str, command))}: exit status {done.returncode}\n{done.stdout[-4000:]}")
@@ -78,11 +82,11 @@ def run(command, folder, environment=None):
 
 
 def build(folder):
-    environment = {**os.environ, "CCACHE_BASEDIR": str(folder)}
     output = folder / PRESET_FOLDER
     if not (output / "build.ninja").exists():
-        run(["cmake", "--preset", "release"], folder, environment)
-    run(["cmake", "--build", str(output), "--target", "croquis_program", "test_echoes"], folder, environment)
+        run(["cmake", "--preset", "release"], folder)
+    run(["cmake", "--build", str(output), "--target", "croquis_program", "test_echoes"], folder,
+        CCACHE_BASEDIR=str(folder))
 
 
 def run_page(page, folder):
@@ -113,12 +117,21 @@ def check_pictures(folder):
     assert abs(speed[2] - plain[2]) <= 2 and abs(speed[1] - plain[1]) <= 2, "and nowhere else"
     assert upwards[1] < plain[1] - 20 and upwards[2] > plain[2] + 10, "other steps go up and to the right"
 
-    # Along the row of the copies' leftmost point the tones come in five steps, each darker than the one before it.
-    strip = [[picture.getpixel((x, y)) for x in range(speed[0], plain[0])] for y in range(picture.height)]
-    tones = {pixel for row in strip for pixel in row if pixel != (255, 255, 255)}
+    # Left of the cartoon there is nothing but the copies, and their blue comes in at least as many tones.
+    strip = [picture.getpixel((x, y)) for x in range(speed[0], plain[0]) for y in range(picture.height)]
+    tones = collections.Counter(pixel for pixel in strip if pixel != (255, 255, 255))
     assert all(red <= green <= blue for red, green, blue in tones), "the copies are bluish"
-    flat = [tone for tone in tones if sum(row.count(tone) for row in strip) > 100]
+    flat = [tone for tone, pixels in tones.items() if pixels > 100]
     assert len(flat) >= 5, f"five copies, each fainter than the last: found the tones {flat}"
+
+
+def check_page_picture(drawn_now, on_page):
+    """The page shows what its commands draw."""
+    with Image.open(drawn_now) as now, Image.open(on_page) as shown:
+        assert now.size == shown.size, f"{PICTURE} has another size: run {pathlib.Path(__file__).name} --update"
+        difference = ImageChops.difference(now.convert("RGB"), shown.convert("RGB"))
+    mean = sum(ImageStat.Stat(difference).mean) / 3
+    assert mean <= MOST_DIFFERENCE, f"{PICTURE} differs by {mean:.2f}: run {pathlib.Path(__file__).name} --update"
 
 
 def main():
@@ -132,9 +145,12 @@ def main():
     build(folder)
     run_page(page, folder)
     for gl in ("gl", "gles"):
-        test = folder / PRESET_FOLDER / "tests/echoes/test_echoes"
-        run([test], folder, {**os.environ, "CROQUIS_GL": gl, "CROQUIS_DATA": str(folder / "data")})
+        test = folder / PRESET_FOLDER / "tests/components/test_echoes"
+        run([test], folder, CROQUIS_GL=gl, CROQUIS_DATA=str(folder / "data"))
     check_pictures(folder)
+    if "--update" in sys.argv:
+        shutil.copyfile(folder / "speed.png", root / PICTURE)
+    check_page_picture(folder / "speed.png", root / PICTURE)
 
 
 if __name__ == "__main__":

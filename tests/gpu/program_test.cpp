@@ -23,7 +23,8 @@ protected:
         return without(error_of([&] { (void)studio().resources().program("image:full_screen", fragment); }), shaders);
     }
     // The same for texts: file 0 and what it includes.
-    [[nodiscard]] static std::string error_in(const std::map<std::string, std::string>& files, const std::string& name) {
+    [[nodiscard]] static std::string error_in(const std::map<std::string, std::string>& files,
+                                              const std::string& name) {
         const auto find = [&](const std::string& file) {
             const auto found = files.find(file);
             if (found == files.end()) fail("no shader file \"{}\"", file);
@@ -33,7 +34,7 @@ protected:
             const std::string vertex = "vec4 corner() { return vec4(0.0); }";
             const auto find_vertex = [&](const std::string&) { return ShaderFile{"vertex.glsl", vertex}; };
             const Program program(studio().context(), ShaderSource::read("v:corner", find_vertex),
-                                  ShaderSource::read(name, find), Output::color);
+                                  ShaderSource::read(name, find), Output::one);
         });
     }
 };
@@ -65,7 +66,7 @@ TEST_F(ProgramTest, AMissingFileComesWithTheNearest) {
 }
 
 TEST_F(ProgramTest, AWrongFormIsTold) {
-    for (const std::string& name : {"image", ":copy", "image:", ""}) {
+    for (const std::string name : {"image", ":copy", "image:", ""}) {
         EXPECT_EQ(error_for(name), "expected a shader function as file:function, found \"" + name + "\"");
     }
 }
@@ -77,18 +78,18 @@ TEST_F(ProgramTest, ACycleOfIncludesIsNamed) {
 }
 
 TEST_F(ProgramTest, AMissingIncludeStandsAtItsLine) {
-    EXPECT_EQ(error_for("test_missing:color"), "test_missing.glsl:3:1: no shader file \"imagge\"; did you mean \"image\"?");
+    EXPECT_EQ(error_for("test_missing:color"),
+              "test_missing.glsl:3:1: no shader file \"imagge\"; did you mean \"image\"?");
 }
 
 TEST_F(ProgramTest, IncludesCannotLeaveTheirFolder) {
-    EXPECT_EQ(error_for("../shaders/image:copy"),
-              "expected a name inside its data folder, found \"../shaders/image\"");
+    EXPECT_EQ(error_for("../shaders/image:copy"), "expected a name inside its data folder, found \"../shaders/image\"");
 }
 
 TEST_F(ProgramTest, IncludesAreBounded) {
     std::map<std::string, std::string> files;
     for (int i = 0; i < 40; ++i) {
-        files["f" + std::to_string(i)] = "#include \"f" + std::to_string(i + 1) + "\"\nvec4 color() { return vec4(1.0); }\n";
+        files[fmt::format("f{}", i)] = fmt::format("#include \"f{}\"\nvec4 color() {{ return vec4(1.0); }}\n", i + 1);
     }
     const std::string message = error_in(files, "f0:color");
     EXPECT_NE(message.find("shader includes are more than 16 deep at \"f16\""), std::string::npos) << message;
@@ -103,12 +104,17 @@ TEST_F(ProgramTest, AFileIsIncludedOnce) {
 }
 
 TEST_F(ProgramTest, StagesThatDoNotFitAreNamed) {
-    const std::string message =
-        error_in({{"user", "#ifdef FRAGMENT_STAGE\nin vec3 from_nowhere;\n#endif\n"
-                           "vec4 color() {\n#ifdef FRAGMENT_STAGE\nreturn vec4(from_nowhere, 1.0);\n#else\nreturn vec4(1.0);\n"
-                           "#endif\n}\n"}},
-                 "user:color");
-    EXPECT_EQ(message.substr(0, 66), "vertex.glsl:corner and user.glsl:color do not fit together: error:") << message;
+    const auto find = [](const std::string& file) {
+        return file == "corner" ? ShaderFile{"corner.glsl",
+                                             "out vec3 shared;\nvec4 at() { shared = vec3(1.0); return vec4(0.0); }\n"}
+                                : ShaderFile{"pixel.glsl", "in vec4 shared;\nvec4 color() { return shared; }\n"};
+    };
+    const std::string message = error_of([&] {
+        const Program program(studio().context(), ShaderSource::read("corner:at", find),
+                              ShaderSource::read("pixel:color", find), Output::one);
+    });
+    EXPECT_EQ(message.substr(0, 57), "corner.glsl:at and pixel.glsl:color do not fit together: ") << message;
+    EXPECT_NE(message.find("shared"), std::string::npos) << message;
 }
 
 TEST_F(ProgramTest, FailuresLeaveNothingAlive) {
@@ -120,8 +126,11 @@ TEST_F(ProgramTest, FailuresLeaveNothingAlive) {
 
 // Hostile input: a name of a megabyte must not overflow the stack of whoever looks for functions.
 void read_long_text() {
-    const std::string text = "vec4 " + std::string(1 << 19, 'a') + std::string(1 << 19, ' ') + "vec4 color() { return vec4(1.0); }";
-    const auto source = ShaderSource::read("user:color", [&](const std::string&) { return ShaderFile{"user.glsl", text}; });
+    const std::string text =
+        "vec4 " + std::string(1 << 19, 'a') + std::string(1 << 19, ' ') + "vec4 color() { return vec4(1.0); }";
+    const auto source = ShaderSource::read("user:color", [&](const std::string&) {
+        return ShaderFile{"user.glsl", text};
+    });
     std::_Exit(source.function == "color" ? 0 : 3);
 }
 

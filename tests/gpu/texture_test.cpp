@@ -54,24 +54,13 @@ TEST_F(TextureTest, RowZeroIsTheTopOfThePicture) {
     EXPECT_EQ(pixels[4], 1) << "columns run from the left";
 }
 
-TEST_F(TextureTest, WordsKeepAllBitsAndRowsFromTheTop) {
-    const Framebuffer target(studio().context(), empty(TextureFormat::rg32ui, 3, 2), nullptr);
-    target.clear_words({0xdeadbeefu, 0x80000001u, 0, 0});
-    const std::vector<std::uint32_t> words = target.read_words();
-    ASSERT_EQ(words.size(), 12u);
-    for (std::size_t i = 0; i < words.size(); i += 2) {
-        EXPECT_EQ(words[i], 0xdeadbeefu);
-        EXPECT_EQ(words[i + 1], 0x80000001u);
-    }
-}
-
 TEST_F(TextureTest, CopiesAreExact) {
     constexpr int width = 9, height = 4;
     const std::vector<std::uint8_t> bytes = random_bytes(width * height * 4, 2);
-    const Framebuffer source(studio().context(),
-                             std::make_shared<Texture>(studio().context(), bytes.data(), width, height, Filter::nearest,
-                                                       Wrap::clamp),
-                             nullptr);
+    const Framebuffer source(
+        studio().context(),
+        std::make_shared<Texture>(studio().context(), bytes.data(), width, height, Filter::nearest, Wrap::clamp),
+        nullptr);
     Framebuffer copy(studio().context(), empty(TextureFormat::rgba8, width, height), nullptr);
     source.copy_to(copy, Framebuffer::Part::color);
     EXPECT_EQ(copy.read_pixels(), bytes);
@@ -96,7 +85,8 @@ TEST_F(TextureTest, ClearsIgnoreTheMasksOfTheLastDraw) {
 TEST_F(TextureTest, CountersComeBackToZero) {
     const Counters before = studio().counters();
     {
-        const Framebuffer target(studio().context(), empty(TextureFormat::rgba8, 2, 2), empty(TextureFormat::depth, 2, 2));
+        const Framebuffer target(studio().context(), empty(TextureFormat::rgba8, 2, 2),
+                                 empty(TextureFormat::depth, 2, 2));
         const Counters now = studio().counters();
         EXPECT_EQ(now.live_textures, before.live_textures + 2);
         EXPECT_EQ(now.live_framebuffers, before.live_framebuffers + 1);

@@ -13,7 +13,8 @@ class TimerTest : public test_support::StudioTest {
 protected:
     static void draw(int side) {
         const Framebuffer target(studio().context(),
-                                 std::make_shared<Texture>(studio().context(), TextureFormat::rgba8, side, side), nullptr);
+                                 std::make_shared<Texture>(studio().context(), TextureFormat::rgba8, side, side),
+                                 nullptr);
         const auto program = studio().resources().program("image:full_screen", "test_image:place_as_color");
         target.bind();
         program->use();

@@ -36,7 +36,8 @@ TEST(Decode, GivesRowsFromTheTopWithFullAlpha) {
 TEST(Decode, TellsWhatIsNoImage) {
     EXPECT_EQ(error_of([] { (void)decode_text("not an image"); }),
               "picture: expected an image, found 12 bytes that are none (unknown image type)");
-    EXPECT_EQ(error_of([] { (void)decode_text(""); }).substr(0, 54), "picture: expected an image, found 0 bytes that are non");
+    EXPECT_EQ(error_of([] { (void)decode_text(""); }).substr(0, 54),
+              "picture: expected an image, found 0 bytes that are non");
 }
 
 TEST(Decode, RefusesMoreThanTheLongestSide) {

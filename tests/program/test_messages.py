@@ -136,7 +136,6 @@ WRONG_DATA = [
     ("shaders/own.glsl", '\n#include "nothing"\nvec4 own() { return vec4(1.0); }\n', "own", 'own/techniques/own.technique:1:1: pass "x": own/shaders/own.glsl:2:1: no shader file "nothing"'),
     ("shaders/own.glsl", '#include "own.glsl"\nvec4 own() { return vec4(1.0); }\n', "own", 'own/techniques/own.technique:1:1: pass "x": own/shaders/own.glsl:1:1: shader includes form a cycle: own -> own'),
     ("shaders/own.glsl", b"\x00\x01\x02\xff" * 100, "own", re.compile(r'own/techniques/own\.technique:1:1: pass "x": own/shaders/own\.glsl.*')),
-    ("shaders/other.glsl", "", "own", 'own/techniques/own.technique:1:1: pass "x": no shader file "own"'),
     ("textures/own/junk.png", b"junk\n", "textured", 'own/techniques/textured.technique:1:1: pass "x", variable "texture": own/textures/own/junk.png: expected an image, found 5 bytes that are none (unknown image type)'),
 ]
 OWN_TECHNIQUES = {

@@ -10,11 +10,21 @@ namespace {
 // The regular icosahedron: 12 corners on three golden rectangles.
 std::vector<glm::dvec3> icosahedron_corners() {
     const double g = 0.5 * (1.0 + std::sqrt(5.0));
-    const std::array<glm::dvec3, 12> v{{{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0}, {0, -1, g}, {0, 1, g},
-                                        {0, -1, -g}, {0, 1, -g}, {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}}};
-    constexpr std::array<int, 60> faces{0, 11, 5, 0, 5, 1, 0, 1, 7, 0, 7, 10, 0, 10, 11, 1, 5, 9, 5, 11,
-                                        4, 11, 10, 2, 10, 7, 6, 7, 1, 8, 3, 9, 4, 3, 4, 2, 3, 2, 6, 3,
-                                        6, 8, 3, 8, 9, 4, 9, 5, 2, 4, 11, 6, 2, 10, 8, 6, 7, 9, 8, 1};
+    const std::array<glm::dvec3, 12> v{{{-1, g, 0},
+                                        {1, g, 0},
+                                        {-1, -g, 0},
+                                        {1, -g, 0},
+                                        {0, -1, g},
+                                        {0, 1, g},
+                                        {0, -1, -g},
+                                        {0, 1, -g},
+                                        {g, 0, -1},
+                                        {g, 0, 1},
+                                        {-g, 0, -1},
+                                        {-g, 0, 1}}};
+    constexpr std::array<int, 60> faces{0, 11, 5,  0, 5,  1, 0, 1, 7, 0, 7,  10, 0, 10, 11, 1, 5, 9, 5, 11,
+                                        4, 11, 10, 2, 10, 7, 6, 7, 1, 8, 3,  9,  4, 3,  4,  2, 3, 2, 6, 3,
+                                        6, 8,  3,  8, 9,  4, 9, 5, 2, 4, 11, 6,  2, 10, 8,  6, 7, 9, 8, 1};
     std::vector<glm::dvec3> corners;
     for (const int corner : faces) corners.push_back(glm::normalize(v[std::size_t(corner)]));
     return corners;
@@ -110,9 +120,10 @@ ModelPointer parallel_squares() {
 }
 
 ModelPointer crossing_boards() {
-    return model_of({{"left_board", quad_corners({-1, -0.8f, 0.6f}, {1, -0.8f, -0.6f}, {1, 0.8f, -0.6f}, {-1, 0.8f, 0.6f}), 0},
-                     {"right_board", quad_corners({-1, -0.6f, -0.6f}, {1, -0.6f, 0.6f}, {1, 0.6f, 0.6f}, {-1, 0.6f, -0.6f}), 1}},
-                    {plain("red", {1, 0, 0}), plain("blue", {0, 0, 1})});
+    return model_of(
+        {{"left_board", quad_corners({-1, -0.8f, 0.6f}, {1, -0.8f, -0.6f}, {1, 0.8f, -0.6f}, {-1, 0.8f, 0.6f}), 0},
+         {"right_board", quad_corners({-1, -0.6f, -0.6f}, {1, -0.6f, 0.6f}, {1, 0.6f, 0.6f}, {-1, 0.6f, -0.6f}), 1}},
+        {plain("red", {1, 0, 0}), plain("blue", {0, 0, 1})});
 }
 
 ModelPointer two_material_board() {

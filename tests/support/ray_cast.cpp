@@ -58,7 +58,8 @@ std::optional<Hit> RayCaster::at(double x, double y) const {
     nearest->to_eye = -glm::normalize(direction);
     for (int corner = 0; corner < 3; ++corner) nearest->normal += nearest->weights[corner] * triangle.normals[corner];
     nearest->normal = glm::normalize(nearest->normal);
-    const glm::dvec3 facing = glm::cross(triangle.corners[1] - triangle.corners[0], triangle.corners[2] - triangle.corners[0]);
+    const glm::dvec3 facing =
+        glm::cross(triangle.corners[1] - triangle.corners[0], triangle.corners[2] - triangle.corners[0]);
     if (glm::dot(facing, nearest->to_eye) < 0) nearest->normal = -nearest->normal;
     return nearest;
 }
@@ -66,7 +67,8 @@ std::optional<Hit> RayCaster::at(double x, double y) const {
 bool RayCaster::is_certain(int x, int y) const {
     const std::optional<Hit> centre = pixel(x, y);
     constexpr double rounding = 1.0 / 64.0;  // of the rasteriser, in pixels
-    for (const auto& [dx, dy] : {std::pair(rounding, rounding), {-rounding, rounding}, {rounding, -rounding}, {-rounding, -rounding}}) {
+    for (const auto& [dx, dy] :
+         {std::pair(rounding, rounding), {-rounding, rounding}, {rounding, -rounding}, {-rounding, -rounding}}) {
         const std::optional<Hit> beside = at(x + 0.5 + dx, y + 0.5 + dy);
         if (beside.has_value() != centre.has_value()) return false;
         if (!beside) continue;

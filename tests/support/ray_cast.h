@@ -15,8 +15,8 @@ struct Hit {
     glm::dvec3 normal{0.0};  ///< the vertices' normals interpolated, unit, on the side that is seen
     glm::dvec3 to_eye{0.0};  ///< unit
     std::uint32_t mesh = 0;
-    std::uint32_t triangle = 0;            ///< of all meshes
-    glm::dvec3 weights{0.0};               ///< of the triangle's corners
+    std::uint32_t triangle = 0;  ///< of all meshes
+    glm::dvec3 weights{0.0};     ///< of the triangle's corners
 };
 
 class RayCaster {

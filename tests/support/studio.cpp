@@ -1,6 +1,5 @@
 #include "support/studio.h"
 
-#include <bit>
 #include <utility>
 
 #include "base/files.h"
@@ -24,12 +23,6 @@ image::Image as_image(int width, int height, const std::vector<std::uint8_t>& by
         image.pixels()[i] = {bytes[4 * i], bytes[4 * i + 1], bytes[4 * i + 2], bytes[4 * i + 3]};
     }
     return image;
-}
-
-Words as_words(int width, int height, const std::vector<std::uint32_t>& read) {
-    Words words(width, height);
-    for (std::size_t i = 0; i < words.pixels().size(); ++i) words.pixels()[i] = {read[2 * i], read[2 * i + 1]};
-    return words;
 }
 
 }  // namespace
@@ -101,25 +94,23 @@ image::Image read_colors(Studio& studio, const framework::Technique& technique, 
     return as_image(source.width(), source.height(), source.read_pixels());
 }
 
-Words read_words(Studio& studio, const framework::Technique& technique, const std::string& name) {
-    const gpu::Framebuffer source(studio.context(), generated(technique, name), nullptr);
-    return as_words(source.width(), source.height(), source.read_words());
-}
-
-image::Raster<float> read_depths(Studio& studio, const framework::Technique& technique, const std::string& name) {
+image::Raster<double> read_depths(Studio& studio, const framework::Technique& technique, const std::string& name) {
     const std::shared_ptr<gpu::Texture> depth = generated(technique, name);
-    const gpu::Framebuffer bits(
-        studio.context(), target(studio, gpu::TextureFormat::rg32ui, depth->width(), depth->height()), nullptr);
-    const auto program = studio.resources().program("image:full_screen", "test_image:depth_bits", gpu::Output::words);
-    bits.bind();
+    const gpu::Framebuffer bytes(studio.context(),
+                                 target(studio, gpu::TextureFormat::rgba8, depth->width(), depth->height()), nullptr);
+    const auto program = studio.resources().program("image:full_screen", "test_image:depth_bytes");
+    bytes.bind();
     program->use();
     gpu::apply({});
     depth->bind(0);
     program->set("texture_sampler", 0);
     studio.resources().draw_full_screen();
-    const Words words = as_words(bits.width(), bits.height(), bits.read_words());
-    image::Raster<float> depths(words.width(), words.height());
-    for (std::size_t i = 0; i < words.pixels().size(); ++i) depths.pixels()[i] = std::bit_cast<float>(words.pixels()[i].x);
+    const image::Image read = as_image(bytes.width(), bytes.height(), bytes.read_pixels());
+    image::Raster<double> depths(read.width(), read.height());
+    for (std::size_t i = 0; i < read.pixels().size(); ++i) {
+        const glm::u8vec4& pixel = read.pixels()[i];
+        depths.pixels()[i] = double(pixel.x << 16 | pixel.y << 8 | pixel.z) / double(largest_depth);
+    }
     return depths;
 }
 

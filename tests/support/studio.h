@@ -41,6 +41,15 @@ private:
     Sources sources_;
 };
 
+/// The model as a whole, seen from a direction.
+[[nodiscard]] inline model::ViewRequest seen_from(const glm::dvec3& direction,
+                                                  model::Projection projection = model::Projection::perspective) {
+    model::ViewRequest view;
+    view.direction = direction;
+    view.projection = projection;
+    return view;
+}
+
 /// What is drawn, and how.
 struct Shot {
     ModelPointer model = cube();
@@ -86,10 +95,9 @@ private:
 
 /// What a generated texture of a technique holds.
 [[nodiscard]] image::Image read_colors(Studio& studio, const framework::Technique& technique, const std::string& name);
-[[nodiscard]] Words read_words(Studio& studio, const framework::Technique& technique, const std::string& name);
-/// The same of a depth texture, as the sampler gives it.
-[[nodiscard]] image::Raster<float> read_depths(Studio& studio, const framework::Technique& technique,
-                                               const std::string& name);
+/// The same of a depth texture, in window space.
+[[nodiscard]] image::Raster<double> read_depths(Studio& studio, const framework::Technique& technique,
+                                                const std::string& name);
 
 /// Tests with a studio, one for each test suite; none of its GPU objects may outlive the suite.
 class StudioTest : public ::testing::Test {

@@ -12,7 +12,6 @@ namespace {
 using framework::Pass;
 
 gpu::TextureFormat format_named(const std::string& word) {
-    if (word == "words") return gpu::TextureFormat::rg32ui;
     return word == "depth" ? gpu::TextureFormat::depth : gpu::TextureFormat::rgba8;
 }
 
@@ -28,7 +27,6 @@ std::vector<Pixel> flipped(const image::Raster<Pixel>& raster) {
 
 struct Send {
     void operator()(const image::Image& image) const { send(image, GL_RGBA, GL_UNSIGNED_BYTE); }
-    void operator()(const Words& words) const { send(words, GL_RG_INTEGER, GL_UNSIGNED_INT); }
     void operator()(const DepthValues& depths) const {
         // The 24 bits repeated below themselves: the same share of the 32-bit range.
         DepthValues wide = depths;

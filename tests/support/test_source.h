@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <glm/vec2.hpp>
 #include <map>
 #include <string>
 #include <variant>
@@ -12,13 +11,12 @@
 
 namespace croquis::test_support {
 
-using Words = image::Raster<glm::uvec2>;                   ///< packed surface attributes
-using DepthValues = image::Raster<std::uint32_t>;          ///< 24-bit depth buffer values
+using DepthValues = image::Raster<std::uint32_t>;  ///< 24-bit depth buffer values
 
 constexpr std::uint32_t largest_depth = (1u << 24) - 1u;
 
 /// What the passes of component test_source hand on, by the name of their texture.
-using Sources = std::map<std::string, std::variant<image::Image, Words, DepthValues>>;
+using Sources = std::map<std::string, std::variant<image::Image, DepthValues>>;
 
 /// Makes the component. `sources` must outlive it.
 [[nodiscard]] framework::CreateComponent test_source(const Sources& sources);

@@ -16,6 +16,9 @@ vec4 one_more() {
 // Columns in red, rows from below in green.
 vec4 place_as_color() { return vec4(floor(gl_FragCoord.xy) / 255.0, 0.0, 1.0); }
 
-// The bits of a depth buffer's values.
-uvec4 depth_bits() { return uvec4(floatBitsToUint(texelFetch(texture_sampler, ivec2(gl_FragCoord.xy), 0).r), 0u, 0u, 0u); }
+// A depth buffer's 24 bits as three bytes.
+vec4 depth_bytes() {
+    uint depth = uint(round(texelFetch(texture_sampler, ivec2(gl_FragCoord.xy), 0).r * 16777215.0));
+    return vec4(vec3(uvec3(depth >> 16, depth >> 8, depth) & 255u) / 255.0, 1.0);
+}
 #endif
