@@ -153,24 +153,25 @@ int show(const Described& described, bool json) {
     return 0;
 }
 
-int run_describe(const Common& common, const std::string& name, bool json) {
-    const Library library = open_library(common);
-    const std::vector<std::string> techniques = library.technique_names();
-    const bool is_file = name.size() > 10 && name.ends_with(".technique");
-    if (is_file || std::find(techniques.begin(), techniques.end(), name) != techniques.end()) {
-        return show(library.technique(name), json);
-    }
-    if (const ComponentDescriptor* component = library.descriptors().find(name)) return show(*component, json);
-    std::vector<std::string> names = techniques;
-    for (std::string& component : library.descriptors().names()) names.push_back(std::move(component));
-    fail("no technique or component \"{}\"{}", name, suggestion(name, names));
-}
-
 struct CatalogueOptions {
     Common common;
     std::string name;
+    bool component = false;
     bool json = false;
 };
+
+// A technique where one has the name, unless a component is asked for: wireframe is both.
+int run_describe(const CatalogueOptions& options) {
+    const Library library = open_library(options.common);
+    const std::string& name = options.name;
+    std::vector<std::string> names = library.technique_names();
+    const bool is_technique = name.ends_with(".technique") || std::find(names.begin(), names.end(), name) != names.end();
+    if (is_technique && !options.component) return show(library.technique(name), options.json);
+    if (const ComponentDescriptor* component = library.descriptors().find(name)) return show(*component, options.json);
+    if (options.component) names.clear();
+    for (std::string& component : library.descriptors().names()) names.push_back(std::move(component));
+    fail("no {}component \"{}\"{}", options.component ? "" : "technique or ", name, suggestion(name, names));
+}
 
 }  // namespace
 
@@ -186,9 +187,10 @@ void add_describe_command(CLI::App& program, Commands& commands) {
     CLI::App* command = program.add_subcommand("describe", "Says what a technique or component is, its variables, ranges and defaults");
     const auto options = std::make_shared<CatalogueOptions>();
     command->add_option("name", options->name, "Name of a technique or component, or path of a .technique file")->required();
+    command->add_flag("--component", options->component, "Describe the component where a technique has the same name");
     command->add_flag("--json", options->json, "Print JSON");
     options->common.add_to(*command);
-    commands[command] = [options] { return run_describe(options->common, options->name, options->json); };
+    commands[command] = [options] { return run_describe(*options); };
 }
 
 }  // namespace croquis::app

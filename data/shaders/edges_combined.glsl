@@ -1,15 +1,17 @@
 // All three causes of an edge in one pass over packed attributes: seed C, 3.3.4. The component edge_detect chooses the
 // function that does no more than its variables ask for: on a software renderer every colour and choice costs.
-#include "edges.glsl"
 #include "packing.glsl"
 
 #ifdef FRAGMENT_STAGE
 uniform sampler2D texture_sampler;    // normals …
 uniform sampler2D distances_sampler;  // … and distances, as packing.glsl has them
 
+uniform int pixel_scale;  // how far the neighbours are, in texels: more than 1 when the picture is oversampled
 uniform float near_plane;
 uniform float far_plane;
 
+uniform vec4 edge_color;
+uniform vec4 non_edge_color;
 uniform float normal_threshold;
 uniform float depth_threshold;
 uniform float grazing_tolerance;
@@ -27,11 +29,14 @@ struct Cross {
     vec4 above;
 };
 
+// Held inside the image: the frame's border is no edge.
 Cross fetch_cross(sampler2D image) {
-    ivec2 last = textureSize(image, 0) - 1;
-    return Cross(texelFetch(image, tap(here, last), 0), texelFetch(image, tap(left, last), 0),
-                 texelFetch(image, tap(right, last), 0), texelFetch(image, tap(below, last), 0),
-                 texelFetch(image, tap(above, last), 0));
+    ivec2 here = ivec2(gl_FragCoord.xy);
+    ivec2 low = max(here - pixel_scale, ivec2(0));
+    ivec2 high = min(here + pixel_scale, textureSize(image, 0) - 1);
+    return Cross(texelFetch(image, here, 0), texelFetch(image, ivec2(low.x, here.y), 0),
+                 texelFetch(image, ivec2(high.x, here.y), 0), texelFetch(image, ivec2(here.x, low.y), 0),
+                 texelFetch(image, ivec2(here.x, high.y), 0));
 }
 
 // One less the dot product of two unit normals a and b, as |a - b|² / 2: exactly 0 for equal ones, however they are

@@ -27,12 +27,8 @@ vec4 overlay() {
     return vec4(color.rgb, color.a * opacity);
 }
 
-// The same for the blends without alpha: transparent parts change nothing.
-vec4 overlay_multiply() {
-    vec4 color = overlay();
-    return vec4(mix(vec3(1.0), color.rgb, color.a), color.a);
-}
-vec4 overlay_add() {
+// The same for the blends that want colours multiplied by alpha: transparent parts change nothing.
+vec4 overlay_multiplied() {
     vec4 color = overlay();
     return vec4(color.rgb * color.a, color.a);
 }

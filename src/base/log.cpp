@@ -11,7 +11,8 @@ namespace {
 
 spdlog::logger& logger() {
     static const auto shared = [] {
-        auto created = std::make_shared<spdlog::logger>("croquis", std::make_shared<spdlog::sinks::stderr_color_sink_mt>());
+        auto created =
+            std::make_shared<spdlog::logger>("croquis", std::make_shared<spdlog::sinks::stderr_color_sink_mt>());
         created->set_pattern("%n: %^%l%$: %v");
         return created;
     }();
@@ -28,11 +29,25 @@ bool is_first(const std::string& message) {
 
 }  // namespace
 
-void warn(const std::string& message) {
-    if (is_first(message)) logger().warn(message);
+std::string printable(std::string_view text) {
+    std::string line;
+    line.reserve(text.size());
+    for (const char c : text) {
+        const auto code = static_cast<unsigned char>(c);
+        if (code < 0x20 || code == 0x7f) {
+            line += fmt::format("\\x{:02x}", code);
+        } else {
+            line += c;
+        }
+    }
+    return line;
 }
 
-void note(const std::string& message) { logger().debug(message); }
+void warn(const std::string& message) {
+    if (is_first(message)) logger().warn(printable(message));
+}
+
+void note(const std::string& message) { logger().debug(printable(message)); }
 
 void set_verbose() { logger().set_level(spdlog::level::debug); }
 

@@ -9,7 +9,11 @@
 
 namespace croquis {
 
-/// Prints `croquis: warning: …` once for each distinct message: a warning in a frame does not flood the terminal.
+/// `text` on one line: control characters, from a hostile file for one, shown as \xNN. What is printed goes through it.
+[[nodiscard]] std::string printable(std::string_view text);
+
+/// Prints `croquis: warning: …` once for each distinct message, made printable: a warning in a frame does not flood the
+/// terminal.
 void warn(const std::string& message);
 
 template <typename... Args>
@@ -17,7 +21,7 @@ void warn(fmt::format_string<Args...> format, Args&&... args) {
     warn(fmt::format(format, std::forward<Args>(args)...));
 }
 
-/// Prints a note for those who asked for more (`--verbose`).
+/// Prints a note, made printable, for those who asked for more (`--verbose`).
 void note(const std::string& message);
 
 /// Shows notes as well as warnings.

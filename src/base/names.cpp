@@ -26,13 +26,15 @@ std::size_t edits_between(std::string_view a, std::string_view b) {
     return previous[b.size()];
 }
 
+std::size_t most_edits(std::size_t letters) { return letters <= 3 ? 1 : letters <= 6 ? 2 : letters / 3; }
+
 }  // namespace
 
 std::string nearest_name(std::string_view name, std::span<const std::string> candidates) {
     constexpr std::size_t longest_considered = 200;
     if (name.size() > longest_considered) return {};
     std::string nearest;
-    std::size_t fewest = std::max<std::size_t>(2, name.size() / 3) + 1;
+    std::size_t fewest = most_edits(name.size()) + 1;
     for (const std::string& candidate : candidates) {
         if (candidate.size() > longest_considered) continue;
         const std::size_t edits = edits_between(name, candidate);

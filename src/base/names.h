@@ -9,7 +9,8 @@
 namespace croquis {
 
 /// The candidate fewest edits away from `name` (insertions, deletions, substitutions and swaps of neighbours), or
-/// nothing when even that one is too far to be a likely typo (more than a third of its letters, and at least two).
+/// nothing when even that one is too far to be a likely typo: more than 1 edit for names of up to 3 letters, 2 for up
+/// to 6, a third of the letters for longer ones.
 [[nodiscard]] std::string nearest_name(std::string_view name, std::span<const std::string> candidates);
 
 /// `; did you mean "nearest"?`, or nothing: the tail of an error about an unknown name.

@@ -1,5 +1,8 @@
 #include "base/random.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace croquis {
 namespace {
 
@@ -21,5 +24,10 @@ Random::Random(std::uint64_t seed, std::string_view purpose) : key_(mix(seed + g
 std::uint64_t Random::bits(std::uint64_t index) const { return mix(key_ + (index + 1) * golden_step); }
 
 double Random::unit(std::uint64_t index) const { return static_cast<double>(bits(index) >> 11) * 0x1.0p-53; }
+
+double Random::between(double low, double high, std::uint64_t index) const {
+    const double value = low + (high - low) * unit(index);
+    return low < high ? std::min(value, std::nextafter(high, low)) : value;  // rounding may have reached the end
+}
 
 }  // namespace croquis

@@ -18,9 +18,7 @@ public:
     [[nodiscard]] double unit(std::uint64_t index) const;
 
     /// A number in [low, high).
-    [[nodiscard]] double between(double low, double high, std::uint64_t index) const {
-        return low + (high - low) * unit(index);
-    }
+    [[nodiscard]] double between(double low, double high, std::uint64_t index) const;
 
 private:
     std::uint64_t key_;

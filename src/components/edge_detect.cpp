@@ -1,4 +1,5 @@
 // edge_detect: edges from normals, depth and region ids in one pass (seed C, 3.3.4), only where the model can be.
+#include <algorithm>
 #include <array>
 
 #include "components/blend_modes.h"
@@ -29,10 +30,11 @@ public:
 protected:
     void render(RenderContext& context) override {
         gpu::Framebuffer& target = target_.prepare(context);
-        const gpu::Blend blend = blend_named(blend_.value());
+        gpu::Blend blend = blend_named(blend_.value());
         // Outside the model there is no edge: what the pass would draw there is one colour.
-        if (blend == gpu::Blend::off) target.clear_color(non_edge_color_.value());
-        const bool adds_outside = blend != gpu::Blend::off && non_edge_color_.value().a > 0;
+        if (blend == gpu::Blend::off) target.clear_color(outside_color());
+        if (blend == gpu::Blend::off && target_.is_frame() && !is_opaque()) blend = gpu::Blend::multiplied;
+        const bool adds_outside = blend_.value() != "none" && non_edge_color_.value().a > 0;
         const int reach = 1 + context.pixel_scale;
         target.bind();
         const gpu::Program& program = choose_program();
@@ -47,6 +49,17 @@ protected:
     }
 
 private:
+    // The frame holds colours multiplied by alpha.
+    [[nodiscard]] glm::vec4 outside_color() const {
+        const glm::vec4& color = non_edge_color_.value();
+        return target_.is_frame() ? glm::vec4(glm::vec3(color) * color.a, color.a) : color;
+    }
+
+    [[nodiscard]] bool is_opaque() const {
+        const auto is_solid = [](const Variable<glm::vec4>& color) { return color.value().a >= 1.0f; };
+        return is_solid(non_edge_color_) && std::all_of(edge_colors_.begin(), edge_colors_.end(), is_solid);
+    }
+
     // All three are linked when the component is made: changing a variable compiles nothing.
     [[nodiscard]] const gpu::Program& choose_program() const {
         if (!apply_threshold_.value()) return *intensity_;

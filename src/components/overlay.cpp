@@ -32,10 +32,7 @@ protected:
 
 private:
     void link() {
-        const std::string& mode = mode_.value();
-        const char* function = mode == "multiply" ? "overlay:overlay_multiply"
-                               : mode == "over"   ? "overlay:overlay"
-                                                  : "overlay:overlay_add";
+        const char* function = mode_.value() == "over" ? "overlay:overlay" : "overlay:overlay_multiplied";
         program_ = pass_.resources().program("image:full_screen", function);
     }
 

@@ -2,6 +2,7 @@
 #include <array>
 #include <utility>
 
+#include "base/error.h"
 #include "components/shader_pair.h"
 #include "framework/component.h"
 #include "framework/render_context.h"
@@ -23,9 +24,14 @@ public:
                   pass.generated().declare(pass.variable<std::string>("result").value(), gpu::TextureFormat::rgba8),
                   nullptr),
           other_(pass.resources().gpu(),
-                 std::make_shared<gpu::Texture>(pass.resources().gpu(), gpu::TextureFormat::rgba8, 1, 1), nullptr) {}
+                 std::make_shared<gpu::Texture>(pass.resources().gpu(), gpu::TextureFormat::rgba8, 1, 1), nullptr) {
+        check_texture();
+    }
 
-    void variable_changed(std::string_view name) override { shaders_.variable_changed(name); }
+    void variable_changed(std::string_view name) override {
+        if (name == "texture") check_texture();
+        shaders_.variable_changed(name);
+    }
 
 protected:
     void render(RenderContext& context) override {
@@ -45,6 +51,10 @@ protected:
     }
 
 private:
+    void check_texture() const {
+        if (pass_.variable<std::string>("texture").value().empty()) fail("expected a texture to start from, found none");
+    }
+
     void run(RenderContext& context, const gpu::Program& program, const gpu::Texture& source,
              const gpu::Framebuffer& destination) const {
         constexpr int source_unit = 0, first_parameter_unit = 1;

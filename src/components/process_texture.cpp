@@ -25,7 +25,9 @@ protected:
         target_.prepare(context).bind();
         const gpu::Program& program = shaders_.program();
         program.use();
-        gpu::apply({.blend = blend_named(blend_.value())});
+        gpu::Blend blend = blend_named(blend_.value());
+        if (blend == gpu::Blend::off && target_.is_frame()) blend = gpu::Blend::multiplied;
+        gpu::apply({.blend = blend});
         context.apply(program);
         pass_.apply_parameters(program, 0);
         context.resources.draw_full_screen();

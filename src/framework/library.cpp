@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "base/log.h"
 #include "base/names.h"
 
 namespace croquis::framework {
@@ -75,8 +76,10 @@ void assign(TechniqueDefinition& technique, const std::string& assignment) {
     }
     const std::string where = fmt::format("{}.{}", pass_name, variable_name);
     try {
-        Value value = parse_value(variable->type, assignment.substr(equals + 1));
-        pass.values.insert_or_assign(variable->name, clamp_to_range(*variable, std::move(value), where));
+        FittedValue fitted = fit_to_range(*variable, parse_value(variable->type, assignment.substr(equals + 1)));
+        if (!fitted.error.empty()) throw Error(fitted.error);
+        if (!fitted.warning.empty()) warn("{}: {}", where, fitted.warning);
+        pass.values.insert_or_assign(variable->name, std::move(fitted.value));
     } catch (const Error& error) {
         throw Error(fmt::format("{}: {}", where, error.what()));
     }

@@ -1,5 +1,6 @@
 #include "framework/render_context.h"
 
+#include <algorithm>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
@@ -44,22 +45,12 @@ void RenderContext::tile_frame(const gpu::Program& program, const gpu::Texture& 
 }
 
 gpu::Rectangle RenderContext::model_rectangle(int width, int height, int margin) const {
-    const glm::mat4 clip_from_scene = camera.clip_from_eye(aspect()) * camera.eye_from_scene();
-    const model::Bounds& box = scene.bounds();
-    const glm::vec2 size(width, height);
-    glm::vec2 low = size, high(0.0f);
-    for (int corner = 0; corner < 8; ++corner) {
-        const glm::vec4 clip = clip_from_scene * glm::vec4((corner & 1) != 0 ? box.high.x : box.low.x,
-                                                           (corner & 2) != 0 ? box.high.y : box.low.y,
-                                                           (corner & 4) != 0 ? box.high.z : box.low.z, 1.0f);
-        if (!(clip.w > 0)) return {0, 0, width, height};  // the eye stands within the box, or it reaches behind the eye
-        const glm::vec2 place = glm::clamp((glm::vec2(clip) / clip.w * 0.5f + 0.5f) * size, glm::vec2(0.0f), size);
-        low = glm::min(low, place);
-        high = glm::max(high, place);
-    }
-    const glm::ivec2 from = glm::max(glm::ivec2(glm::floor(low)) - margin, glm::ivec2(0));
-    const glm::ivec2 to = glm::min(glm::ivec2(glm::ceil(high)) + margin, glm::ivec2(width, height));
-    return {from.x, from.y, to.x - from.x, to.y - from.y};
+    const glm::dvec2 size(width, height);
+    const glm::ivec2 low = glm::floor((camera.covered_low * 0.5 + 0.5) * size);
+    const glm::ivec2 high = glm::ceil((camera.covered_high * 0.5 + 0.5) * size);
+    const glm::ivec2 from = glm::max(low - margin, glm::ivec2(0));
+    const glm::ivec2 to = glm::min(high + margin, glm::ivec2(width, height));
+    return {from.x, from.y, std::max(to.x - from.x, 0), std::max(to.y - from.y, 0)};
 }
 
 bool RenderContext::eye_is_outside() const {

@@ -54,7 +54,7 @@ struct RenderContext {
     /// Fills the frame with an image, from the upper left, with the program of image:tiled.
     void tile_frame(const gpu::Program& program, const gpu::Texture& image, float scale) const;
 
-    /// The part of a target that the model's box covers, and `margin` pixels around it: all that can hold anything of
+    /// The part of a target that the model's vertices cover, and `margin` pixels around it: all that can hold anything of
     /// the model (seed A, 5.4.1).
     [[nodiscard]] gpu::Rectangle model_rectangle(int width, int height, int margin) const;
 

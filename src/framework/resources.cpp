@@ -71,9 +71,12 @@ fs::path Resources::find_image(const TextureName& name) const {
         fail("no texture directory \"{}\"{}", name.directory, suggestion(name.directory, image_directories(folders_)));
     }
     if (image == "*") image = names.front();
-    for (const char* ending : image_endings) {
-        fs::path path = folders_.find("textures/" + name.directory, image, ending);
-        if (!path.empty()) return path;
+    for (const fs::path& folder : folders_.folders()) {  // the user's image wins, whatever its ending
+        const DataFolders only({folder});
+        for (const char* ending : image_endings) {
+            fs::path path = only.find("textures/" + name.directory, image, ending);
+            if (!path.empty()) return path;
+        }
     }
     fail("no image \"{}\" in texture directory \"{}\"{}", image, name.directory, suggestion(image, names));
 }

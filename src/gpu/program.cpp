@@ -2,6 +2,7 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
 #include <glm/gtc/type_ptr.hpp>
 #include <memory>
 #include <regex>
@@ -30,28 +31,31 @@ std::string main_for(const ShaderSource& source, Stage stage) {
     return fmt::format("\nvoid main() {{ {} = {}(); }}\n", result, source.function);
 }
 
-// The first error of a compiler's log, led by the user's file and line. Mesa writes "1:12(5): error: …", NVIDIA
-// "1(12) : error …" and ANGLE "ERROR: 1:12: …".
-std::string place_in_files(const std::string& log, const std::vector<std::string>& files) {
+// The first error of a compiler's log, led by the user's file and line. Mesa writes "0:12(5): error: …", NVIDIA
+// "0(12) : error …" and ANGLE "ERROR: 0:12: …"; lines count from the header's first.
+std::string place_in_files(const std::string& log, const ShaderSource& source, std::size_t header_lines) {
     static const std::regex forms[] = {
-        std::regex(R"re(^\s*(\d+):(\d+)\((\d+)\):\s*(?:error:\s*)?(.*)$)re"),
-        std::regex(R"re(^\s*(\d+)\((\d+)\)()\s*:\s*(?:error\s*\w*:\s*)?(.*)$)re"),
-        std::regex(R"re(^\s*ERROR:\s*(\d+):(\d+)():\s*(.*)$)re"),
+        std::regex(R"re(^\s*\d+:(\d+)\((\d+)\):\s*(?:error:\s*)?(.*)$)re"),
+        std::regex(R"re(^\s*\d+\((\d+)\)()\s*:\s*(?:error\s*\w*:\s*)?(.*)$)re"),
+        std::regex(R"re(^\s*ERROR:\s*\d+:(\d+)():\s*(.*)$)re"),
     };
+    constexpr std::size_t longest_line = 1000;  // std::regex recurses with each letter
     std::istringstream lines(log);
     std::string line;
     while (std::getline(lines, line)) {
         if (line.find("warning") != std::string::npos) continue;
+        line.resize(std::min(line.size(), longest_line));
         for (const std::regex& form : forms) {
             std::smatch match;
             if (!std::regex_match(line, match, form)) continue;
             const std::size_t number = std::stoul(match[1].str());
-            TextPosition where{number < files.size() ? files[number] : "shader", std::stoul(match[2].str()), 0};
-            if (match[3].length() > 0) where.column = std::stoul(match[3].str());
-            return where.to_string() + ": " + match[4].str();
+            if (number <= header_lines || number - header_lines > source.lines.size()) continue;
+            const ShaderSource::Line& where = source.lines[number - header_lines - 1];
+            const std::size_t column = match[2].length() > 0 ? std::stoul(match[2].str()) : 0;
+            return TextPosition{source.files[where.file], where.number, column}.to_string() + ": " + match[3].str();
         }
     }
-    return (files.empty() ? "shader" : files.front()) + ": " + log.substr(0, log.find('\n'));
+    return source.files.front() + ": " + log.substr(0, log.find('\n'));
 }
 
 struct Shader {
@@ -70,7 +74,8 @@ struct Shader {
         glGetShaderInfoLog(id, GLsizei(log.size()), &length, log.data());
         log.resize(std::size_t(length));
         glDeleteShader(id);
-        throw Error(place_in_files(log, source.files));
+        const auto header_lines = std::count(header.begin(), header.end(), '\n');
+        throw Error(place_in_files(log, source, std::size_t(header_lines)));
     }
     ~Shader() { glDeleteShader(id); }
     Shader(const Shader&) = delete;

@@ -38,8 +38,15 @@ enum class Output { one, two };
 /// one stands between `#ifdef VERTEX_STAGE` (or `FRAGMENT_STAGE`) and `#endif`, and a variable that goes from one to
 /// the other is declared `between vec3 normal_world;`.
 struct ShaderSource {
+    /// Where a line of the text was read.
+    struct Line {
+        std::size_t file = 0;  ///< index into files
+        std::size_t number = 0;
+    };
+
     std::string text;                ///< without the header that names version and stage
-    std::vector<std::string> files;  ///< by the numbers that the `#line` directives use
+    std::vector<Line> lines;         ///< one a line of the text
+    std::vector<std::string> files;  ///< the one named first, then those it includes
     std::string function;
 
     /// Reads `file:function`. Throws Error for a form, file or function that is wrong, with the nearest function, and

@@ -11,6 +11,7 @@ void apply_blend(Blend blend) {
     enable(GL_BLEND, blend != Blend::off);
     switch (blend) {
         case Blend::off: break;
+        case Blend::multiplied: glBlendFuncSeparate(GL_SRC_ALPHA, GL_ZERO, GL_ONE, GL_ZERO); break;
         case Blend::over:
             glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
             break;

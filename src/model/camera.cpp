@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <span>
@@ -71,17 +72,29 @@ void stand_back(Camera& camera, const Model& model, const Pose* pose, const Scen
     camera.eye = target + std::max(distance, 1e-3) * camera.back;
 }
 
-void fit_planes(Camera& camera, const Model& model, const Pose* pose, const SceneSpace& space) {
+// Near and far planes and the covered part of the frame, from every vertex.
+void fit_planes(Camera& camera, const Model& model, const Pose* pose, const SceneSpace& space, double aspect) {
     double nearest = std::numeric_limits<double>::max(), farthest = std::numeric_limits<double>::lowest();
+    glm::dvec2 low(nearest), high(farthest);
     for_each_vertex(model, pose, space, [&](const glm::dvec3& point) {
-        const double depth = glm::dot(camera.eye - point, camera.back);
+        const glm::dvec3 from_eye = point - camera.eye;
+        const double depth = -glm::dot(from_eye, camera.back);
         nearest = std::min(nearest, depth);
         farthest = std::max(farthest, depth);
+        const double half_height =
+            camera.projection == Projection::parallel ? camera.half_height : depth * camera.tangent;
+        const glm::dvec2 place(glm::dot(from_eye, camera.right) / (aspect * half_height),
+                               glm::dot(from_eye, camera.up) / half_height);
+        low = glm::min(low, place);
+        high = glm::max(high, place);
     });
     constexpr double margin = 0.01;  // of the depth range, so that no vertex lies on a plane
     const double range = std::max(farthest - nearest, 1e-3);
     camera.far_plane = std::max(farthest + margin * range, 1e-3);
     camera.near_plane = nearest - margin * range;
+    const bool is_before_eye = camera.projection == Projection::parallel || nearest > 0;
+    camera.covered_low = is_before_eye ? glm::clamp(low, -1.0, 1.0) : glm::dvec2(-1.0);
+    camera.covered_high = is_before_eye ? glm::clamp(high, -1.0, 1.0) : glm::dvec2(1.0);
     if (camera.projection == Projection::parallel) return;
     // An eye within the model: 24 bits of depth bear a ratio of some ten thousand between the planes.
     camera.near_plane = std::max(camera.near_plane, camera.far_plane * 1e-4);
@@ -91,7 +104,7 @@ void check(const ViewRequest& request) {
     if (!(request.fit > 0 && request.fit <= 1))
         fail("expected the fit to be above 0 and at most 1, found {}", request.fit);
     if (!(request.field_of_view > 0.001 && request.field_of_view < 3.1)) {
-        fail("expected the field of view to be above 0.1 and below 178 degrees, found {}",
+        fail("expected the field of view to be above 0.1 and below 178 degrees, found {:g}",
              request.field_of_view * 180 / 3.14159265358979);
     }
     if (!is_usable(request.up)) fail("expected the up vector to have a length, found 0,0,0");
@@ -168,7 +181,7 @@ Camera place_camera(const Model& model, const Pose* pose, const ViewRequest& req
         set_axes(camera, request.direction, request.up);
         stand_back(camera, model, pose, space, target, request.fit, aspect);
     }
-    fit_planes(camera, model, pose, space);
+    fit_planes(camera, model, pose, space, aspect);
     return camera;
 }
 

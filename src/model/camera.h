@@ -53,6 +53,8 @@ struct Camera {
     double half_height = 1.0;  ///< of a parallel projection's frame
     double near_plane = 0.1;   ///< eye distance, in scene units
     double far_plane = 10.0;
+    /// The part of the frame that the model covers, -1 to 1 from left to right and from bottom to top.
+    glm::dvec2 covered_low{-1.0}, covered_high{1.0};
 
     [[nodiscard]] glm::mat4 eye_from_scene() const;
     [[nodiscard]] glm::mat4 clip_from_eye(double aspect) const;

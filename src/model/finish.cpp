@@ -18,9 +18,11 @@ namespace {
 
 bool is_finite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
+/// How many triangles were dropped, and why.
 struct Dropped {
     std::size_t out_of_range = 0;
     std::size_t not_finite = 0;
+    std::size_t flat = 0;
 };
 
 /// Keeps the triangles for which `keep(a, b, c)` holds, and their smoothing groups.
@@ -59,13 +61,15 @@ void drop_impossible(RawMesh& raw, Dropped& dropped) {
 }
 
 /// A face of no area at rest may open up as a shape: only faces that name a vertex twice can be dropped there.
-void drop_degenerate(RawMesh& raw, const MeshRig* rig) {
+void drop_degenerate(RawMesh& raw, const MeshRig* rig, Dropped& dropped) {
     const auto& p = raw.mesh.positions;
     const bool changes_shape = rig != nullptr && !rig->shapes.empty();
+    const std::size_t before = raw.mesh.triangle_count();
     keep_triangles(raw, [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
         if (changes_shape) return a != b && b != c && c != a;
         return glm::length(area_vector(p[a], p[b], p[c])) > 0;
     });
+    dropped.flat += before - raw.mesh.triangle_count();
 }
 
 /// Lists that do not fit the vertices are dropped; missing normals become zero vectors.
@@ -163,16 +167,27 @@ void move_near_origin(RawModel& raw) {
     }
 }
 
-void check_meshes(RawModel& raw, const std::string& name) {
-    Dropped dropped;
-    for (RawMesh& one : raw.meshes) drop_impossible(one, dropped);
+std::string triangles(std::size_t count) { return count == 1 ? "1 triangle" : fmt::format("{} triangles", count); }
+
+void warn_of_dropped(const Dropped& dropped, const std::string& name) {
     if (dropped.out_of_range > 0) {
-        warn("{}: {} triangles name vertices that the file does not have; left out", name, dropped.out_of_range);
+        warn("{}: left out {} with vertices that the file does not have", name, triangles(dropped.out_of_range));
     }
     if (dropped.not_finite > 0) {
-        warn("{}: {} triangles have points that are no finite numbers; left out", name, dropped.not_finite);
+        warn("{}: left out {} with points that are no finite numbers below 1e18", name, triangles(dropped.not_finite));
     }
-    if (raw.origin == glm::dvec3(0.0)) move_near_origin(raw);
+}
+
+[[noreturn]] void fail_all_dropped(const Dropped& dropped, const std::string& name) {
+    std::vector<std::string> found;
+    const auto add = [&](std::size_t count, std::string_view fault) {
+        if (count > 0) found.push_back(fmt::format("{} {}", count, fault));
+    };
+    add(dropped.out_of_range, "with vertices that the file does not have");
+    add(dropped.not_finite, "with points that are no finite numbers below 1e18");
+    add(dropped.flat, "of no area");
+    if (found.empty()) fail_without_triangles(name, false);
+    fail("{}: expected triangles, found {}", name, fmt::join(found, " and "));
 }
 
 void number_regions(std::vector<RawMesh>& meshes) {
@@ -204,19 +219,22 @@ void fit_materials(RawModel& raw, const LoadOptions& options) {
 }  // namespace
 
 std::shared_ptr<const Model> finish(RawModel raw, const std::string& name, const LoadOptions& options) {
-    check_meshes(raw, name);
+    Dropped dropped;
+    for (RawMesh& one : raw.meshes) drop_impossible(one, dropped);
+    if (raw.origin == glm::dvec3(0.0)) move_near_origin(raw);
     fit_rig(raw);
     for (std::size_t m = 0; m < raw.meshes.size(); ++m) {
         RawMesh& one = raw.meshes[m];
         MeshRig* const rig = raw.rig.meshes.empty() ? nullptr : &raw.rig.meshes[m];
-        drop_degenerate(one, rig);
+        drop_degenerate(one, rig, dropped);
         fit_lists(one.mesh);
         drop_unused_vertices(one.mesh, rig);
         fit_normals(one.mesh.normals, one.mesh.positions.size());
         turn_to_normals(one.mesh);
     }
     drop_empty_meshes(raw);
-    if (raw.meshes.empty()) fail_without_triangles(name, false);
+    if (raw.meshes.empty()) fail_all_dropped(dropped, name);
+    warn_of_dropped(dropped, name);
     complete_normals(raw.meshes, raw.rig, options.crease_angle);
     fit_materials(raw, options);
     number_regions(raw.meshes);

@@ -1,7 +1,6 @@
 #include "model/obj_meshes.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace croquis::model {
 
@@ -36,8 +35,17 @@ std::uint32_t ObjMesh::vertex(const ObjCorner& corner) {
     return slots_[slot];
 }
 
+void ObjMesh::disown_corners_without_point(std::size_t point_count) {
+    const auto is_unknown = [&](const ObjCorner& corner) { return corner.point >= point_count; };
+    if (std::none_of(corners_.begin(), corners_.end(), is_unknown)) return;
+    for (std::uint32_t& v : triangles_) {
+        if (is_unknown(corners_[v])) v = obj_none;
+    }
+}
+
 RawMesh ObjMesh::build(const ObjLists& lists, const glm::dvec3& origin) {
     slots_ = {};
+    disown_corners_without_point(lists.points.size());
     RawMesh raw;
     Mesh& mesh = raw.mesh;
     mesh.name = std::move(name_);
@@ -48,11 +56,10 @@ RawMesh ObjMesh::build(const ObjLists& lists, const glm::dvec3& origin) {
     const auto any = [&](std::uint32_t ObjCorner::*index, std::size_t size) {
         return std::any_of(corners_.begin(), corners_.end(), [&](const ObjCorner& c) { return c.*index < size; });
     };
-    constexpr float no_number = std::numeric_limits<float>::quiet_NaN();
     mesh.positions.reserve(corners_.size());
     for (const ObjCorner& c : corners_) {
         const bool known = c.point < lists.points.size();
-        mesh.positions.push_back(known ? glm::vec3(lists.points[c.point] - origin) : glm::vec3(no_number));
+        mesh.positions.push_back(known ? glm::vec3(lists.points[c.point] - origin) : glm::vec3(0.0f));
     }
     const auto fill = [&](auto& target, const auto& source, std::uint32_t ObjCorner::*index) {
         if (source.empty() || !any(index, source.size())) return;

@@ -47,12 +47,13 @@ public:
     /// Gives the triangles added since the last call a smoothing group.
     void set_smoothing(std::uint32_t group) { smoothing_.resize(triangles_.size() / 3, group); }
 
-    /// Hands the mesh over, its positions relative to `origin`. Corners out of range give points that are not finite,
-    /// which `finish` drops.
+    /// Hands the mesh over, its positions relative to `origin`. Triangles with corners out of range name vertices out
+    /// of range, and `finish` drops them.
     [[nodiscard]] RawMesh build(const ObjLists& lists, const glm::dvec3& origin);
 
 private:
     void grow();
+    void disown_corners_without_point(std::size_t point_count);
     [[nodiscard]] std::size_t first_slot(const ObjCorner& corner) const;
 
     std::string name_;

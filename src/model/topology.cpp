@@ -2,6 +2,7 @@
 #include "model/topology.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "model/model.h"
 #include "model/welding.h"
@@ -56,8 +57,31 @@ std::vector<std::uint32_t> sorted_half_edges(const Topology& topology) {
     return sorted;
 }
 
-/// Notes which meshes the faces of one edge leave open, crowd or wind two ways.
-void check_solid(Topology& topology, std::span<const std::uint32_t> half_edges) {
+/// The connected parts of surfaces: faces joined at their edges (union-find, with path halving).
+class Parts {
+public:
+    explicit Parts(std::size_t face_count) : parent_(face_count) {
+        std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
+    }
+
+    void join(std::uint32_t a, std::uint32_t b) {
+        a = first_face(a);
+        b = first_face(b);
+        parent_[std::max(a, b)] = std::min(a, b);
+    }
+
+    /// The first face of the part that holds `face`: what names the part.
+    [[nodiscard]] std::uint32_t first_face(std::uint32_t face) {
+        while (parent_[face] != face) face = parent_[face] = parent_[parent_[face]];
+        return face;
+    }
+
+private:
+    std::vector<std::uint32_t> parent_;
+};
+
+/// Notes which meshes the faces of one edge leave open, crowd or wind two ways, and joins the faces of the others.
+void check_solid(Topology& topology, std::span<const std::uint32_t> half_edges, Parts& parts) {
     const auto mesh_of = [&](std::uint32_t half_edge) { return topology.faces[half_edge / 3].mesh; };
     std::size_t begin = 0;
     while (begin < half_edges.size()) {  // faces, and with them half-edges, stand in the order of their meshes
@@ -65,12 +89,16 @@ void check_solid(Topology& topology, std::span<const std::uint32_t> half_edges) 
         while (end < half_edges.size() && mesh_of(half_edges[end]) == mesh_of(half_edges[begin])) ++end;
         const bool closed = end - begin == 2 && side_of(topology.faces, half_edges[begin]).forward() !=
                                                     side_of(topology.faces, half_edges[begin + 1]).forward();
-        if (!closed) topology.mesh_is_solid[mesh_of(half_edges[begin])] = false;
+        if (closed) {
+            parts.join(half_edges[begin] / 3, half_edges[begin + 1] / 3);
+        } else {
+            topology.mesh_is_solid[mesh_of(half_edges[begin])] = false;
+        }
         begin = end;
     }
 }
 
-void add_edges(Topology& topology) {
+void add_edges(Topology& topology, Parts& parts) {
     const std::vector<std::uint32_t> sorted = sorted_half_edges(topology);
     topology.edges.reserve(sorted.size() / 2 + 1);
     std::size_t begin = 0;
@@ -87,8 +115,30 @@ void add_edges(Topology& topology) {
         if (end - begin > 1) edge.faces[1] = sorted[begin + 1] / 3;
         if (end - begin > 2) topology.crowded_edges.push_back(static_cast<std::uint32_t>(topology.edges.size()));
         topology.edges.push_back(edge);
-        check_solid(topology, std::span(sorted).subspan(begin, end - begin));
+        check_solid(topology, std::span(sorted).subspan(begin, end - begin), parts);
         begin = end;
+    }
+}
+
+/// Closed meshes of which one part is wound inside out, and another is not, are not solid: no rule about faces that
+/// turn away serves both.
+void check_parts(Topology& topology, Parts& parts) {
+    const std::vector<Face>& faces = topology.faces;
+    std::vector<double> volume(faces.size());  // of parts, six times over; stands at the part's first face
+    for (std::uint32_t f = 0; f < faces.size(); ++f) {
+        if (!topology.mesh_is_solid[faces[f].mesh]) continue;
+        const std::uint32_t first = parts.first_face(f);
+        const auto point = [&](std::uint32_t v) { return glm::dvec3(topology.positions[v]); };
+        const glm::dvec3 apex = point(faces[first].vertices[0]);
+        const auto& [a, b, c] = faces[f].vertices;
+        volume[first] += glm::dot(point(a) - apex, glm::cross(point(b) - apex, point(c) - apex));
+    }
+    std::vector<std::array<bool, 2>> found(topology.mesh_is_solid.size(), {false, false});
+    for (std::uint32_t f = 0; f < faces.size(); ++f) {
+        if (volume[f] != 0) found[faces[f].mesh][volume[f] < 0 ? 1 : 0] = true;
+    }
+    for (std::size_t m = 0; m < found.size(); ++m) {
+        if (found[m][0] && found[m][1]) topology.mesh_is_solid[m] = false;
     }
 }
 
@@ -128,7 +178,9 @@ Topology weld(std::span<const Mesh> meshes) {
         topology.mesh_is_solid.push_back(topology.faces.size() > faces_before);
         topology.mesh_is_inverted.push_back(is_inverted(meshes[m]));
     }
-    add_edges(topology);
+    Parts parts(topology.faces.size());
+    add_edges(topology, parts);
+    check_parts(topology, parts);
     return topology;
 }
 

@@ -16,7 +16,7 @@ constexpr std::uint32_t no_face = 0xffffffffu;
 
 /// An undirected edge. Of more than two faces on an edge the first two stand here; `face_count` tells how many.
 struct Edge {
-    std::array<std::uint32_t, 2> vertices;              ///< welded vertices, the smaller first
+    std::array<std::uint32_t, 2> vertices;                 ///< welded vertices, the smaller first
     std::array<std::uint32_t, 2> faces{no_face, no_face};  ///< faces[1] is no_face on a border
 };
 
@@ -29,14 +29,15 @@ struct Face {
 /// All meshes welded into one: vertices at the same position are one vertex, faces of no area are gone, and each
 /// undirected edge stands once.
 struct Topology {
-    std::vector<glm::vec3> positions;     ///< one a welded vertex
+    std::vector<glm::vec3> positions;  ///< one a welded vertex
     std::vector<Face> faces;
     std::vector<glm::vec3> face_normals;  ///< unit, from the winding
     std::vector<Edge> edges;
     std::vector<std::uint32_t> crowded_edges;  ///< indices of edges with three or more faces
 
-    /// True for a mesh whose surface is closed, has two faces on each edge and is wound one way: then faces that turn
-    /// away from the eye are never seen. One entry a mesh.
+    /// True for a mesh whose surface is closed, has two faces on each edge and is wound one way, in all of its
+    /// connected parts alike: then faces that turn away from the eye are never seen. A body with a hollow, whose wall
+    /// is wound the other way, does not count. One entry a mesh.
     std::vector<bool> mesh_is_solid;
     /// True for a mesh of negative volume, wound inside out. One entry a mesh.
     std::vector<bool> mesh_is_inverted;

@@ -14,7 +14,8 @@ struct Typo {
 class NearestName : public ::testing::TestWithParam<Typo> {};
 
 TEST_P(NearestName, IsTheOneMeant) {
-    const std::vector<std::string> known{"threshold", "edge_color", "render", "toon_map", "id", "objects"};
+    const std::vector<std::string> known{"threshold", "edge_color", "render",  "toon_map",    "id",
+                                         "objects",   "toon",       "cartoon", "render_phong"};
     EXPECT_EQ(nearest_name(GetParam().typed, known), GetParam().nearest) << GetParam().typed;
 }
 
@@ -24,10 +25,17 @@ INSTANTIATE_TEST_SUITE_P(Typos, NearestName,
                                            Typo{"thershold", "threshold"},   // two swapped
                                            Typo{"rendar", "render"},         // one wrong
                                            Typo{"tonmapp", ""},  // three edits of seven letters are too many
-                                           Typo{"edge_colour", "edge_color"},  //
-                                           Typo{"threshold", "threshold"},     //
-                                           Typo{"xyzzy", ""},                  // nothing like it
-                                           Typo{"ab", ""},                     // nothing in common with id
+                                           Typo{"edge_colour", "edge_color"},    //
+                                           Typo{"threshold", "threshold"},       //
+                                           Typo{"xyzzy", ""},                    // nothing like it
+                                           Typo{"ab", ""},                       // nothing in common with id
+                                           Typo{"ix", "id"},                     // one edit of up to three letters
+                                           Typo{"own", ""},                      // but not two
+                                           Typo{"ton", "toon"},                  //
+                                           Typo{"tone", "toon"},                 // two edits of up to six letters
+                                           Typo{"tames", ""},                    // but not three
+                                           Typo{"cartoom", "cartoon"},           //
+                                           Typo{"render_fong", "render_phong"},  //
                                            Typo{"", ""}),
                          [](const auto& tested) { return "Case" + std::to_string(tested.index); });
 

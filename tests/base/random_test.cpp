@@ -76,7 +76,18 @@ TEST(Random, StaysInItsRange) {
 TEST(Random, StaysBelowTheUpperEndOfANarrowRange) {
     const Random random(1, "narrow");
     const double high = std::nextafter(1.0, 2.0);
-    for (std::uint64_t i = 0; i < 100; ++i) ASSERT_LT(random.between(1.0, high, i), high);
+    for (std::uint64_t i = 0; i < 100; ++i) {
+        ASSERT_LT(random.between(1.0, high, i), high);
+        ASSERT_EQ(random.between(1.0, 1.0, i), 1.0);
+    }
+}
+
+TEST(Random, AcceptsEndsTheOtherWayRound) {
+    const Random random(1, "reversed");
+    for (std::uint64_t i = 0; i < 100; ++i) {
+        ASSERT_LE(random.between(5, -3, i), 5.0);
+        ASSERT_GT(random.between(5, -3, i), -3.0);
+    }
 }
 
 }  // namespace

@@ -85,6 +85,62 @@ TEST(Topology, AMeshWoundTwoWaysIsNotSolidAndOneInsideOutIsInverted) {
     EXPECT_TRUE(turned->topology().mesh_is_inverted[0]);
 }
 
+/// Six quads between points `first` to `first + 7`, placed as in `cube_points`.
+std::string faces_of_cube(int first, bool inside_out) {
+    std::string text;
+    for (const auto& [a, b, c, d] : {std::array{3, 2, 1, 0}, std::array{4, 5, 6, 7}, std::array{0, 1, 5, 4},
+                                     std::array{1, 2, 6, 5}, std::array{2, 3, 7, 6}, std::array{3, 0, 4, 7}}) {
+        const std::array<int, 4> corners = inside_out ? std::array{d, c, b, a} : std::array{a, b, c, d};
+        text += fmt::format("f {} {} {} {}\n", first + corners[0], first + corners[1], first + corners[2],
+                            first + corners[3]);
+    }
+    return text;
+}
+
+std::string points_of_cube(double low, double high) {
+    std::string text;
+    for (const double z : {low, high}) {
+        text += fmt::format("v {0} {0} {2}\nv {1} {0} {2}\nv {1} {1} {2}\nv {0} {1} {2}\n", low, high, z);
+    }
+    return text;
+}
+
+TEST(Topology, AMeshOfPartsIsSolidWhenAllAreWoundAlike) {
+    struct Case {
+        const char* name;
+        double low, high;  // of the second cube
+        bool first_inside_out, second_inside_out;
+        bool is_solid;
+    };
+    for (const Case& c :
+         {Case{"apart", 2, 3, false, false, true}, Case{"apart, second inside out", 2, 3, false, true, false},
+          Case{"apart, first inside out", 2, 3, true, false, false},
+          Case{"apart, both inside out", 2, 3, true, true, true},
+          Case{"tiny and far, inside out", 1000, 1000.001, false, true, false},
+          Case{"touching at a corner", 1, 2, false, false, true},
+          Case{"touching at a corner, inside out", 1, 2, false, true, false},
+          Case{"one inside the other", 0.25, 0.75, false, false, true},
+          Case{"a hollow box", 0.25, 0.75, false, true, false}}) {
+        const auto model =
+            load_text("parts.obj", points_of_cube(0, 1) + points_of_cube(c.low, c.high) +
+                                       faces_of_cube(1, c.first_inside_out) + faces_of_cube(9, c.second_inside_out));
+        ASSERT_EQ(model->meshes.size(), 1u) << c.name;
+        EXPECT_EQ(model->topology().border_edge_count(), 0u) << c.name;
+        EXPECT_EQ(model->topology().mesh_is_solid[0], c.is_solid) << c.name;
+        EXPECT_EQ(model->topology().mesh_is_inverted[0], c.first_inside_out && c.second_inside_out) << c.name;
+    }
+}
+
+TEST(Topology, PartsOfOtherMeshesDoNotCount) {
+    const auto model = load_text("two.obj", points_of_cube(0, 1) + points_of_cube(1, 2) + "o one\n" +
+                                                faces_of_cube(1, false) + "o two\n" + faces_of_cube(9, true));
+    ASSERT_EQ(model->meshes.size(), 2u);
+    for (std::size_t m = 0; m < 2; ++m) {
+        EXPECT_TRUE(model->topology().mesh_is_solid[m]);
+        EXPECT_EQ(model->topology().mesh_is_inverted[m], m == 1);
+    }
+}
+
 TEST(Topology, ThreeFacesOnAnEdgeAreCrowded) {
     const auto model =
         load_text("fin.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nf 1 2 3\nf 1 4 2\nf 1 2 5\n");
