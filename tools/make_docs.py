@@ -57,17 +57,8 @@ class Program:
         """All techniques and all components, in full."""
         listing = self.ask("list")
         techniques = [self.ask("describe", entry["name"]) for entry in listing["techniques"]]
-        return techniques, [self.component(entry, techniques) for entry in listing["components"]]
-
-    def component(self, entry, techniques):
-        described = self.ask("describe", entry["name"])
-        if "variables" in described:
-            return described
-        # A technique of the same name comes first: its own pass tells the component's variables.
-        for used in (p for technique in techniques for p in technique["passes"] if p["component"] == entry["name"]):
-            variables = [{k: v for k, v in variable.items() if k != "value"} for variable in used["variables"]]
-            return {**entry, "variables": variables}
-        sys.exit(f"make_docs: component {entry['name']} is hidden by the technique of its name")
+        components = [self.ask("describe", entry["name"], "--component") for entry in listing["components"]]
+        return techniques, components
 
 
 # --- Text ------------------------------------------------------------------------------------

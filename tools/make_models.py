@@ -279,7 +279,7 @@ def apple(name, material):
     def lobes(angle, height):
         return 1 + 0.035 * math.cos(5 * angle) * (0.5 - height)
 
-    return revolved(name, material, [APPLE], 32, 2, lobes)
+    return revolved(name, material, [APPLE], 36, 4, lobes)
 
 
 def stem(name, base, height):
@@ -301,7 +301,7 @@ def twig(number, path, leaves):
 
 
 def scene():
-    vase = revolved("vase", "glaze", VASE, 48, 2)
+    vase = revolved("vase", "glaze", VASE, 48, 3)
     twigs = (
         twig(1, [(-0.30, 0.35, 0), (-0.05, 1.6, 0.02), (0.10, 2.5, 0.05), (0.42, 3.25, 0.10)],
              [(1.6, 200, 35), (2.1, 10, 20), (2.5, 150, 35), (2.75, 300, 30), (3.0, 20, 40)])
@@ -318,7 +318,7 @@ def scene():
                     move=(0.18, 0, 0.62))
     meshes += fruit(apple("apple_green", "green_skin"), [stem("stem_green", 0.76, 0.28)],
                     scale=0.92, turn=-35, tilt=-58, move=(0.80, 0, 0.93))
-    meshes += fruit(revolved("pear", "pear_skin", [PEAR], 32, 2), [stem("stem_pear", 1.30, 0.30)],
+    meshes += fruit(revolved("pear", "pear_skin", [PEAR], 36, 4), [stem("stem_pear", 1.30, 0.30)],
                     turn=70, move=(-1.25, 0, 0.75))
     box = transformed(cuboid("box", "card", 1.25, 0.85, 0.95), turn=-24, move=(1.15, 0, -0.55))
     lid = transformed(cuboid("box_lid", "lid", 1.35, 0.24, 1.05), turn=-24, move=(1.15, 0.82, -0.55))

@@ -11,7 +11,8 @@
 
 namespace croquis {
 
-/// A technique that was opened and can draw. It belongs to its renderer and must go before it does.
+/// A technique that was opened and can draw. It belongs to its renderer and must go before that does, or before another
+/// renderer takes its place: declare the renderer first.
 class Technique {
 public:
     Technique(Technique&&) noexcept;

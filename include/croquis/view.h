@@ -51,10 +51,10 @@ struct DrawOptions {
     /// Samples a pixel: 1, 4, 9 or 16. With more than one the whole technique is drawn larger, its lines as wide as
     /// before, and averaged.
     int samples = 1;
-    View view;
-    Light light;
-    std::optional<Background> background;
-    std::string animation;  ///< name of the model's animation; at rest when empty
+    View view{};
+    Light light{};
+    std::optional<Background> background{};
+    std::string animation{};  ///< name of the model's animation; at rest when empty
     double time = 0;        ///< seconds into the animation
     std::uint64_t seed = 0;  ///< of everything random
 };

@@ -18,16 +18,22 @@ constexpr double radians_per_degree = 3.14159265358979323846 / 180.0;
 
 glm::dvec3 as_vector(const Vector3& v) { return {v[0], v[1], v[2]}; }
 
-std::optional<glm::dvec3> as_vector(const std::optional<Vector3>& v) {
-    return v ? std::optional(as_vector(*v)) : std::nullopt;
+glm::dvec3 finite(const Vector3& v, const char* expected) {
+    const glm::dvec3 vector = as_vector(v);
+    if (!std::isfinite(glm::length(vector))) fail("expected {}, found {},{},{}", expected, v[0], v[1], v[2]);
+    return vector;
+}
+
+std::optional<glm::dvec3> finite(const std::optional<Vector3>& v, const char* expected) {
+    return v ? std::optional(finite(*v, expected)) : std::nullopt;
 }
 
 model::ViewRequest view_request(const View& view) {
-    return {.direction = as_vector(view.direction),
+    return {.direction = finite(view.direction, "the view to have a direction"),
             .fit = view.fit,
-            .eye = as_vector(view.eye),
-            .target = as_vector(view.target),
-            .up = as_vector(view.up),
+            .eye = finite(view.eye, "the eye at a finite distance"),
+            .target = finite(view.target, "the target at a finite distance"),
+            .up = finite(view.up, "the up vector to have a length"),
             .field_of_view = view.field_of_view * radians_per_degree,
             .projection = view.parallel ? model::Projection::parallel : model::Projection::perspective};
 }
@@ -37,12 +43,13 @@ framework::Light light_in_scene(const Light& light, const model::Model& model) {
     Scene scene;
     scene.bound = light.bound == Light::Bound::viewer ? Scene::Bound::viewer : Scene::Bound::world;
     scene.kind = light.bound == Light::Bound::point ? Scene::Kind::point : Scene::Kind::direction;
-    scene.place = as_vector(light.place);
-    if (scene.kind == Scene::Kind::point) scene.place = model::SceneSpace::of(model).from_file(scene.place);
-    if (scene.kind == Scene::Kind::direction && !(glm::length(scene.place) > 0)) {
-        fail("expected the light to have a direction, found 0,0,0");
+    if (scene.kind == Scene::Kind::point) {
+        scene.place = model::SceneSpace::of(model).from_file(finite(light.place, "the light at a finite distance"));
+    } else {
+        scene.place = finite(light.place, "the light to have a direction");
+        if (!(glm::length(scene.place) > 0)) fail("expected the light to have a direction, found 0,0,0");
     }
-    scene.color = glm::vec3(as_vector(light.color));
+    scene.color = glm::vec3(finite(light.color, "the light to have a finite colour"));
     return scene;
 }
 
@@ -67,6 +74,9 @@ struct Renderer::State {
           resources(*context, std::move(folders)),
           components(components::core_components()),
           frame(resources) {}
+    ~State() { context->make_current(); }  // what the members free is this context's
+    State(const State&) = delete;
+    State& operator=(const State&) = delete;
 
     struct Uploaded {
         std::weak_ptr<const model::Model> model;
@@ -76,7 +86,15 @@ struct Renderer::State {
     };
     Uploaded& upload(const std::shared_ptr<const model::Model>& model);
     static void pose(Uploaded& uploaded, const DrawOptions& options);
-    std::optional<framework::Background> background(const DrawOptions& options);
+
+    struct Tile {
+        std::string name;
+        std::shared_ptr<const gpu::Texture> image;
+        std::shared_ptr<const gpu::Program> program;
+    };
+    const Tile& background_tile(const std::string& name);
+    framework::Background background(const Background& asked);
+
     void draw_frame(const std::shared_ptr<const model::Model>& model, framework::Technique& technique,
                     const DrawOptions& options, gpu::StretchTimer* timer);
 
@@ -86,6 +104,7 @@ struct Renderer::State {
     framework::ComponentTable components;
     Frame frame;
     std::map<const model::Model*, Uploaded> scenes;
+    Tile tile;  // of the last background, for resources forget what nobody holds
 };
 
 // Models that nobody but their scene holds any more are dropped from the GPU.
@@ -114,13 +133,21 @@ void Renderer::State::pose(Uploaded& uploaded, const DrawOptions& options) {
     uploaded.time = options.time;
 }
 
-std::optional<framework::Background> Renderer::State::background(const DrawOptions& options) {
-    if (!options.background) return std::nullopt;
+const Renderer::State::Tile& Renderer::State::background_tile(const std::string& name) {
+    if (tile.name == name) return tile;
+    const framework::TextureName parsed = framework::TextureName::parse(name);
+    if (parsed.is_generated) fail("expected an image as the background's texture, found \"{}\"", name);
+    tile = {name, resources.image(parsed), resources.program("image:full_screen", "image:tiled")};
+    return tile;
+}
+
+framework::Background Renderer::State::background(const Background& asked) {
     framework::Background background;
-    background.color = glm::vec4(glm::vec3(as_vector(options.background->color)), options.background->transparent ? 0 : 1);
-    if (!options.background->texture.empty()) {
-        background.image = resources.image(framework::TextureName::parse(options.background->texture));
-        background.tiled = resources.program("image:full_screen", "image:tiled");
+    background.color = glm::vec4(glm::vec3(as_vector(asked.color)), asked.transparent ? 0 : 1);
+    if (!asked.texture.empty()) {
+        const Tile& known = background_tile(asked.texture);
+        background.image = known.image;
+        background.tiled = known.program;
     }
     return background;
 }
@@ -145,10 +172,11 @@ void Renderer::State::draw_frame(const std::shared_ptr<const model::Model>& mode
                                     .camera = camera,
                                     .light = light,
                                     .frame = frame.target(),
-                                    .background = background(options),
+                                    .background = std::nullopt,
                                     .pixel_scale = scale,
                                     .seed = options.seed,
                                     .time = options.time};
+    if (options.background) render.background = background(*options.background);
     render.clear_frame(glm::vec3(1.0f));
     render.frame.clear_depth();
     technique.draw(render, timer);
@@ -157,9 +185,7 @@ void Renderer::State::draw_frame(const std::shared_ptr<const model::Model>& mode
 Renderer::Renderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
-Renderer::~Renderer() {
-    if (state_) state_->context->make_current();
-}
+Renderer::~Renderer() = default;
 
 Renderer Renderer::headless(const Choice& choice) {
     framework::DataFolders folders = find_folders(choice.data_folders);
@@ -191,8 +217,8 @@ Technique Renderer::open_technique(const std::string& name_or_path, const std::v
     state_->context->make_current();
     framework::TechniqueDefinition definition = state_->library->technique(name_or_path);
     for (const std::string& setting : settings) framework::assign(definition, setting);
-    return Technique(std::unique_ptr<Technique::Opened>(new Technique::Opened{
-        framework::Technique(state_->library, definition, state_->resources, state_->components)}));
+    return Technique(std::make_unique<Technique::Opened>(*state_->context, state_->library, definition,
+                                                         state_->resources, state_->components));
 }
 
 Picture Renderer::draw(const Model& model, Technique& technique, const DrawOptions& options) {
@@ -201,12 +227,14 @@ Picture Renderer::draw(const Model& model, Technique& technique, const DrawOptio
 }
 
 void Renderer::draw_into(unsigned framebuffer, const Model& model, Technique& technique, const DrawOptions& options) {
+    state_->context->make_current();
     const gpu::SavedState saved;
     state_->draw_frame(model.model_, technique.opened_->technique, options, nullptr);
     state_->frame.present(framebuffer);
 }
 
 std::vector<PassTime> Renderer::time_passes(const Model& model, Technique& technique, const DrawOptions& options) {
+    state_->context->make_current();
     gpu::StretchTimer timer(*state_->context);
     state_->draw_frame(model.model_, technique.opened_->technique, options, &timer);
     const std::vector<double> milliseconds = timer.milliseconds();

@@ -1,6 +1,5 @@
 #include "api/handles.h"
 #include "base/error.h"
-#include "base/names.h"
 
 namespace croquis {
 namespace {
@@ -30,18 +29,15 @@ std::vector<std::string> Technique::pass_names() const { return opened_->techniq
 
 void Technique::set(const std::string& variable, const std::string& value) {
     const VariableName name = split_name(variable);
-    const framework::ComponentDescriptor& component = opened_->technique.pass(name.pass).component();
-    const framework::VariableDescriptor* descriptor = component.find(name.variable);
-    if (descriptor == nullptr) {
-        fail("pass \"{}\" has no variable \"{}\"{}", name.pass, name.variable,
-             suggestion(name.variable, component.variable_names()));
-    }
-    opened_->technique.set(name.pass, name.variable, framework::parse_value(descriptor->type, value));
+    const framework::VariableDescriptor& descriptor = opened_->technique.pass(name.pass).descriptor(name.variable);
+    opened_->context.make_current();
+    opened_->technique.set(name.pass, name.variable, framework::parse_value(descriptor.type, value));
 }
 
 std::string Technique::get(const std::string& variable) const {
     const VariableName name = split_name(variable);
-    return framework::format_value(opened_->technique.pass(name.pass).value(name.variable));
+    const framework::Pass& pass = opened_->technique.pass(name.pass);
+    return framework::format_value(pass.value(pass.descriptor(name.variable).name));
 }
 
 }  // namespace croquis

@@ -27,17 +27,20 @@ void Pass::refuse_type(std::string_view name) const {
     fail_at(where(), "component {} declares \"{}\" with a type that it cannot work with", component().name, name);
 }
 
-void Pass::set(std::string_view name, const Value& value) {
+const VariableDescriptor& Pass::descriptor(std::string_view name) const {
     const VariableDescriptor* variable = component().find(name);
-    if (variable == nullptr) {
-        fail("pass \"{}\" has no variable \"{}\"{}", this->name(), name, suggestion(name, component().variable_names()));
-    }
-    if (variable->read_only || variable->internal) {
+    if (variable != nullptr) return *variable;
+    fail("pass \"{}\" has no variable \"{}\"{}", this->name(), name, suggestion(name, component().variable_names()));
+}
+
+void Pass::set(std::string_view name, const Value& value) {
+    const VariableDescriptor& variable = descriptor(name);
+    if (variable.read_only || variable.internal) {
         fail("variable \"{}\" of pass \"{}\" cannot change while the technique runs", name, this->name());
     }
-    Value clamped = clamp_to_range(*variable, value, fmt::format("{}.{}", this->name(), name));
-    if (variable->type == VariableType::texture) {
-        textures_[variable->name] = find_texture(std::get<std::string>(clamped));
+    Value clamped = clamp_to_range(variable, value, fmt::format("{}.{}", this->name(), name));
+    if (variable.type == VariableType::texture) {
+        textures_[variable.name] = find_texture(std::get<std::string>(clamped));
     }
     definition_.values.find(name)->second = std::move(clamped);
     ++revision_;

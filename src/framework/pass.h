@@ -51,6 +51,9 @@ public:
     /// True when the descriptor declares the variable: for what a component can do without.
     [[nodiscard]] bool has(std::string_view name) const { return definition_.values.count(name) > 0; }
 
+    /// A variable as the component declares it. Throws Error with the nearest name.
+    [[nodiscard]] const VariableDescriptor& descriptor(std::string_view name) const;
+
     /// The value of a variable. Throws Error when the descriptor does not declare it.
     [[nodiscard]] const Value& value(std::string_view name) const;
 

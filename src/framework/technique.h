@@ -20,6 +20,8 @@ public:
     /// Error at the pass's place in its file when something that it names is missing or wrong.
     Technique(std::shared_ptr<const Library> library, const TechniqueDefinition& definition, Resources& resources,
               const ComponentTable& components);
+    Technique(const Technique&) = delete;  // passes point into it
+    Technique& operator=(const Technique&) = delete;
 
     [[nodiscard]] const std::string& name() const { return name_; }
     [[nodiscard]] const std::string& help() const { return help_; }

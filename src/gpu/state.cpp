@@ -2,6 +2,9 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
+#include <array>
+
 namespace croquis::gpu {
 namespace {
 
@@ -21,6 +24,124 @@ void apply_blend(Blend blend) {
         case Blend::add: glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE); break;
     }
 }
+
+// The groups of a SavedState: each reads its part when it is made and puts it back at its end.
+
+// An enumerator or the name of an object.
+GLuint word(GLenum name) {
+    GLint value = 0;
+    glGetIntegerv(name, &value);
+    return GLuint(value);
+}
+
+float number(GLenum name) {
+    GLfloat value = 0;
+    glGetFloatv(name, &value);
+    return value;
+}
+
+struct SavedCapabilities {
+    static constexpr std::array<GLenum, 5> names{GL_DEPTH_TEST, GL_BLEND, GL_CULL_FACE, GL_SCISSOR_TEST,
+                                                 GL_POLYGON_OFFSET_FILL};
+    std::array<bool, names.size()> on{};
+
+    SavedCapabilities() {
+        std::transform(names.begin(), names.end(), on.begin(), [](GLenum name) { return glIsEnabled(name) == GL_TRUE; });
+    }
+    ~SavedCapabilities() {
+        for (std::size_t i = 0; i < names.size(); ++i) enable(names[i], on[i]);
+    }
+};
+
+struct SavedAreas {
+    std::array<GLint, 4> viewport{};
+    std::array<GLint, 4> scissor{};
+
+    SavedAreas() {
+        glGetIntegerv(GL_VIEWPORT, viewport.data());
+        glGetIntegerv(GL_SCISSOR_BOX, scissor.data());
+    }
+    ~SavedAreas() {
+        glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
+        glScissor(scissor[0], scissor[1], scissor[2], scissor[3]);
+    }
+};
+
+struct SavedMasks {
+    GLboolean depth = GL_TRUE;
+    std::array<GLboolean, 4> color{};
+
+    SavedMasks() {
+        glGetBooleanv(GL_DEPTH_WRITEMASK, &depth);
+        glGetBooleanv(GL_COLOR_WRITEMASK, color.data());
+    }
+    ~SavedMasks() {
+        glDepthMask(depth);
+        glColorMask(color[0], color[1], color[2], color[3]);
+    }
+};
+
+struct SavedFunctions {
+    GLenum depth = word(GL_DEPTH_FUNC);
+    GLenum source = word(GL_BLEND_SRC_RGB);
+    GLenum destination = word(GL_BLEND_DST_RGB);
+    GLenum source_alpha = word(GL_BLEND_SRC_ALPHA);
+    GLenum destination_alpha = word(GL_BLEND_DST_ALPHA);
+
+    ~SavedFunctions() {
+        glDepthFunc(depth);
+        glBlendFuncSeparate(source, destination, source_alpha, destination_alpha);
+    }
+};
+
+struct SavedFaces {
+    GLenum culled = word(GL_CULL_FACE_MODE);
+    GLenum front = word(GL_FRONT_FACE);
+    float offset_factor = number(GL_POLYGON_OFFSET_FACTOR);
+    float offset_units = number(GL_POLYGON_OFFSET_UNITS);
+
+    ~SavedFaces() {
+        glCullFace(culled);
+        glFrontFace(front);
+        glPolygonOffset(offset_factor, offset_units);
+    }
+};
+
+struct SavedTextures {
+    GLenum active = word(GL_ACTIVE_TEXTURE);
+    std::array<GLuint, 8> bound{};  // of the units that passes may use
+
+    SavedTextures() {
+        for (std::size_t unit = 0; unit < bound.size(); ++unit) {
+            glActiveTexture(GLenum(GL_TEXTURE0 + unit));
+            bound[unit] = word(GL_TEXTURE_BINDING_2D);
+        }
+        glActiveTexture(active);
+    }
+    ~SavedTextures() {
+        for (std::size_t unit = 0; unit < bound.size(); ++unit) {
+            glActiveTexture(GLenum(GL_TEXTURE0 + unit));
+            glBindTexture(GL_TEXTURE_2D, bound[unit]);
+        }
+        glActiveTexture(active);
+    }
+};
+
+struct SavedBindings {
+    GLuint draw_framebuffer = word(GL_DRAW_FRAMEBUFFER_BINDING);
+    GLuint read_framebuffer = word(GL_READ_FRAMEBUFFER_BINDING);
+    GLuint program = word(GL_CURRENT_PROGRAM);
+    GLuint vertex_array = word(GL_VERTEX_ARRAY_BINDING);
+    GLuint array_buffer = word(GL_ARRAY_BUFFER_BINDING);
+
+    ~SavedBindings() {
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, draw_framebuffer);
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, read_framebuffer);
+        glUseProgram(program);
+        glBindVertexArray(vertex_array);
+        glBindBuffer(GL_ARRAY_BUFFER, array_buffer);
+    }
+};
 
 }  // namespace
 
@@ -44,35 +165,17 @@ void apply(const DrawState& state) {
     if (state.within) glScissor(state.within->x, state.within->y, state.within->width, state.within->height);
 }
 
-SavedState::SavedState() {
-    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &draw_framebuffer_);
-    glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read_framebuffer_);
-    glGetIntegerv(GL_CURRENT_PROGRAM, &program_);
-    glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &vertex_array_);
-    glGetIntegerv(GL_VIEWPORT, viewport_);
-    glGetBooleanv(GL_DEPTH_WRITEMASK, &depth_mask_);
-    glGetBooleanv(GL_COLOR_WRITEMASK, color_mask_);
-    depth_test_ = glIsEnabled(GL_DEPTH_TEST) == GL_TRUE;
-    blend_ = glIsEnabled(GL_BLEND) == GL_TRUE;
-    cull_ = glIsEnabled(GL_CULL_FACE) == GL_TRUE;
-    scissor_ = glIsEnabled(GL_SCISSOR_TEST) == GL_TRUE;
-    polygon_offset_ = glIsEnabled(GL_POLYGON_OFFSET_FILL) == GL_TRUE;
-    glDisable(GL_SCISSOR_TEST);
-}
+struct SavedState::Groups {
+    SavedCapabilities capabilities;
+    SavedAreas areas;
+    SavedMasks masks;
+    SavedFunctions functions;
+    SavedFaces faces;
+    SavedTextures textures;
+    SavedBindings bindings;
+};
 
-SavedState::~SavedState() {
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(draw_framebuffer_));
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, GLuint(read_framebuffer_));
-    glUseProgram(GLuint(program_));
-    glBindVertexArray(GLuint(vertex_array_));
-    glViewport(viewport_[0], viewport_[1], viewport_[2], viewport_[3]);
-    glDepthMask(depth_mask_);
-    glColorMask(color_mask_[0], color_mask_[1], color_mask_[2], color_mask_[3]);
-    enable(GL_DEPTH_TEST, depth_test_);
-    enable(GL_BLEND, blend_);
-    enable(GL_CULL_FACE, cull_);
-    enable(GL_SCISSOR_TEST, scissor_);
-    enable(GL_POLYGON_OFFSET_FILL, polygon_offset_);
-}
+SavedState::SavedState() : groups_(std::make_unique<Groups>()) { glDisable(GL_SCISSOR_TEST); }
+SavedState::~SavedState() = default;
 
 }  // namespace croquis::gpu

@@ -1,6 +1,7 @@
 // The fixed-function state of a draw, said in one place instead of left over from the last one.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 namespace croquis::gpu {
@@ -39,7 +40,8 @@ struct DrawState {
 
 void apply(const DrawState& state);
 
-/// Remembers the caller's framebuffer, viewport, program and fixed state, and puts them back at its end.
+/// Remembers the caller's bindings, viewport and fixed state, as far as drawing changes them, and puts them back at its
+/// end. Drawing begins without the caller's scissor box.
 class SavedState {
 public:
     SavedState();
@@ -48,18 +50,8 @@ public:
     SavedState& operator=(const SavedState&) = delete;
 
 private:
-    int draw_framebuffer_ = 0;
-    int read_framebuffer_ = 0;
-    int program_ = 0;
-    int vertex_array_ = 0;
-    int viewport_[4] = {};
-    bool depth_test_ = false;
-    bool blend_ = false;
-    bool cull_ = false;
-    bool scissor_ = false;
-    bool polygon_offset_ = false;
-    unsigned char depth_mask_ = 1;
-    unsigned char color_mask_[4] = {1, 1, 1, 1};
+    struct Groups;
+    std::unique_ptr<Groups> groups_;
 };
 
 }  // namespace croquis::gpu

@@ -1,4 +1,6 @@
 // Backgrounds: images tiled pixel by pixel from the upper left corner, and the asked background before a technique's.
+#include <fmt/format.h>
+
 #include "components/cross.h"
 #include "image/image.h"
 #include "support/studio.h"
@@ -10,7 +12,7 @@ using namespace test_support;
 
 class BackgroundTest : public StudioTest {
 protected:
-    static image::Image shipped_image(const char* name) {
+    static image::Image shipped_image(const std::string& name) {
         return image::read(studio().resources().folders().find("textures", name, ".png"));
     }
     static void expect_tiled(const image::Image& picture, const image::Image& tile, int scale) {
@@ -22,13 +24,13 @@ protected:
 };
 
 TEST_F(BackgroundTest, TilesAnImagePixelByPixelFromTheUpperLeft) {
-    for (const char* name : {"images/uv_grid", "paper/lined"}) {
-        const image::Image tile = shipped_image(name);
+    for (const auto& [directory, name] : {std::pair("images", "uv_grid"), {"paper", "lined"}}) {
+        const image::Image tile = shipped_image(fmt::format("{}/{}", directory, name));
         Stage stage(studio(), {.width = tile.width() + 37, .height = tile.height() + 23});
-        std::string texture = name;
-        texture.replace(texture.find('/'), 1, ":");
-        expect_tiled(stage.picture("pass background b { texture \"" + texture + ":0\" ; } ;"), tile, 1);
-        expect_tiled(stage.picture("pass background b { texture \"" + texture + "\" ; } ;"), tile, 1);
+        for (const char* filter : {":0", ""}) {
+            const std::string texture = fmt::format("{}:{}{}", directory, name, filter);
+            expect_tiled(stage.picture(fmt::format("pass background b {{ texture \"{}\" ; }} ;", texture)), tile, 1);
+        }
     }
 }
 
