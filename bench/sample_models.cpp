@@ -33,7 +33,8 @@ std::string write_bumpy_torus(int triangles) {
                            vertex(i, k), vertex(i + 1, k + 1), vertex(i + 1, k));
         }
     }
-    const auto path = std::filesystem::temp_directory_path() / fmt::format("croquis-bench-{}-{}.obj", ::getpid(), triangles);
+    const auto path =
+        std::filesystem::temp_directory_path() / fmt::format("croquis-bench-{}-{}.obj", ::getpid(), triangles);
     write_file_whole(path, text);
     return path.string();
 }

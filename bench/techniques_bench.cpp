@@ -52,19 +52,20 @@ void add_frames(Scene& scene, int thousands) {
     for (const std::string& technique : scene.renderer.technique_names()) {
         if (technique == "copy") continue;
         const std::string name = fmt::format("{:3} k triangles at 620x500/{}", thousands, technique);
-        repeated(benchmark::RegisterBenchmark(
-                     name.c_str(), [&scene, technique](benchmark::State& state) { time_frames(state, scene, technique); }))
-            ->UseRealTime();
+        repeated(benchmark::RegisterBenchmark(name.c_str(), [&scene, technique](benchmark::State& state) {
+            time_frames(state, scene, technique);
+        }))->UseRealTime();
     }
 }
 
 void add_edge_pass(Scene& scene) {
-    repeated(benchmark::RegisterBenchmark("one full-screen pass at 1024x768/phong",
-                                          [&scene](benchmark::State& state) { time_pass(state, scene, "copy", 1); }))
-        ->UseManualTime();
-    repeated(benchmark::RegisterBenchmark("one full-screen pass at 1024x768/edge_detect",
-                                          [&scene](benchmark::State& state) { time_pass(state, scene, "edges", 1); }))
-        ->UseManualTime();
+    repeated(benchmark::RegisterBenchmark("one full-screen pass at 1024x768/phong", [&scene](benchmark::State& state) {
+        time_pass(state, scene, "copy", 1);
+    }))->UseManualTime();
+    repeated(benchmark::RegisterBenchmark("one full-screen pass at 1024x768/edge_detect", [&scene](
+                                                                                              benchmark::State& state) {
+        time_pass(state, scene, "edges", 1);
+    }))->UseManualTime();
 }
 
 std::unique_ptr<Scene> make_scene(int triangles) {

@@ -30,12 +30,16 @@ function(croquis_package target)
   pkg_check_modules(${target} REQUIRED IMPORTED_TARGET ${ARGN})
 endfunction()
 
+# Builds the programs of all croquis_test and nothing else.
+add_custom_target(unit_tests)
+
 # croquis_test(NAME SOURCES file... USES library... [GL]): a GoogleTest program, labelled "unit". With GL it runs twice, on
 # OpenGL 3.3 and on OpenGL ES 3.0.
 function(croquis_test name)
   cmake_parse_arguments(ARG "GL" "" "SOURCES;USES" ${ARGN})
   add_executable(test_${name} ${ARG_SOURCES})
   target_link_libraries(test_${name} PRIVATE croquis_flags ${ARG_USES} GTest::gtest_main)
+  add_dependencies(unit_tests test_${name})
   set(environment "CROQUIS_DATA=${CMAKE_SOURCE_DIR}/data" "LP_NUM_THREADS=1"
                   "ASAN_OPTIONS=intercept_tls_get_addr=0")
   if(ARG_GL)

@@ -77,7 +77,8 @@ std::string range_of(const VariableDescriptor& variable) {
     if (!variable.choices.empty()) return fmt::format("one of {}", fmt::join(variable.choices, ", "));
     std::string range;
     if (variable.minimum) range += fmt::format("from {}", framework::format_value(*variable.minimum));
-    if (variable.maximum) range += fmt::format("{}to {}", range.empty() ? "" : " ", framework::format_value(*variable.maximum));
+    if (variable.maximum)
+        range += fmt::format("{}to {}", range.empty() ? "" : " ", framework::format_value(*variable.maximum));
     if (!variable.unit.empty()) range += fmt::format("{}{}", range.empty() ? "" : " ", variable.unit);
     return range;
 }
@@ -90,8 +91,8 @@ void print_variable(const VariableDescriptor& variable, const std::string& value
 }
 
 void print(const ComponentDescriptor& component) {
-    fmt::print("component {}{}\n    {}\n\n", component.name,
-               component.parent.empty() ? "" : " : " + component.parent, component.help);
+    fmt::print("component {}{}\n    {}\n\n", component.name, component.parent.empty() ? "" : " : " + component.parent,
+               component.help);
     for (const VariableDescriptor& variable : component.variables) {
         if (variable.internal) continue;
         print_variable(variable, variable.default_value ? framework::format_value(*variable.default_value)
@@ -165,7 +166,8 @@ int run_describe(const CatalogueOptions& options) {
     const Library library = open_library(options.common);
     const std::string& name = options.name;
     std::vector<std::string> names = library.technique_names();
-    const bool is_technique = name.ends_with(".technique") || std::find(names.begin(), names.end(), name) != names.end();
+    const bool is_technique =
+        name.ends_with(".technique") || std::find(names.begin(), names.end(), name) != names.end();
     if (is_technique && !options.component) return show(library.technique(name), options.json);
     if (const ComponentDescriptor* component = library.descriptors().find(name)) return show(*component, options.json);
     if (options.component) names.clear();
@@ -184,9 +186,11 @@ void add_list_command(CLI::App& program, Commands& commands) {
 }
 
 void add_describe_command(CLI::App& program, Commands& commands) {
-    CLI::App* command = program.add_subcommand("describe", "Says what a technique or component is, its variables, ranges and defaults");
+    CLI::App* command =
+        program.add_subcommand("describe", "Says what a technique or component is, its variables, ranges and defaults");
     const auto options = std::make_shared<CatalogueOptions>();
-    command->add_option("name", options->name, "Name of a technique or component, or path of a .technique file")->required();
+    command->add_option("name", options->name, "Name of a technique or component, or path of a .technique file")
+        ->required();
     command->add_flag("--component", options->component, "Describe the component where a technique has the same name");
     command->add_flag("--json", options->json, "Print JSON");
     options->common.add_to(*command);

@@ -67,7 +67,8 @@ void Common::add_to(CLI::App& command) {
     command.add_option("--data", data_folders, "A folder of your own components, techniques, shaders and textures");
     command.add_option("--gl", api, "gl (OpenGL 3.3) or gles (OpenGL ES 3.0); also CROQUIS_GL");
     command.add_option("--device", device, "auto, hardware or software; also CROQUIS_DEVICE");
-    command.add_flag_callback("--verbose", [] { set_verbose(); }, "Say more on standard error");
+    command.add_flag_callback(
+        "--verbose", [] { set_verbose(); }, "Say more on standard error");
 }
 
 }  // namespace croquis::app

@@ -114,7 +114,8 @@ Light parse_light(const std::string& text) {
         } else if (bound == "point") {
             light.bound = Light::Bound::point;
         } else if (bound != "world") {
-            fail("--light: expected viewer:, world: or point: before X,Y,Z, found \"{}\"{}", text, suggestion(bound, bounds));
+            fail("--light: expected viewer:, world: or point: before X,Y,Z, found \"{}\"{}", text,
+                 suggestion(bound, bounds));
         }
     }
     light.place = parse_vector(colon == std::string::npos ? text : text.substr(colon + 1), "--light");

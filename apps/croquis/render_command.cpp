@@ -52,28 +52,45 @@ struct RenderOptions {
 
 void RenderOptions::add_to(CLI::App& command) {
     command.add_option("model", model, "Model file; a built-in teapot where none is named");
-    command.add_option("-o,--output", output, "PNG to write, - for standard output; MODEL.png where none is named. With --input-dir: a folder");
-    command.add_option("-t,--technique", technique, "Name of a technique, or path of a .technique file")->capture_default_str();
-    command.add_option("--set", settings, "pass.variable=value, as often as needed; croquis describe TECHNIQUE lists them");
+    command.add_option(
+        "-o,--output", output,
+        "PNG to write, - for standard output; MODEL.png where none is named. With --input-dir: a folder");
+    command.add_option("-t,--technique", technique, "Name of a technique, or path of a .technique file")
+        ->capture_default_str();
+    command.add_option("--set", settings,
+                       "pass.variable=value, as often as needed; croquis describe TECHNIQUE lists them");
     command.add_option("--input-dir", input_folder, "Draw every model file of a folder");
     command.add_option("--size", size, "Pixels, WIDTHxHEIGHT")->capture_default_str();
-    command.add_option("--view", view, "Direction from the box's centre to the eye, X,Y,Z, or front, back, left, right, top, bottom, iso")->capture_default_str();
-    command.add_option("--fit", fit, "Share of the frame that every vertex lies within")->check(check_number)->capture_default_str();
+    command
+        .add_option("--view", view,
+                    "Direction from the box's centre to the eye, X,Y,Z, or front, back, left, right, top, bottom, iso")
+        ->capture_default_str();
+    command.add_option("--fit", fit, "Share of the frame that every vertex lies within")
+        ->check(check_number)
+        ->capture_default_str();
     command.add_option("--eye", eye, "Position of the eye, X,Y,Z, in place of --view and --fit");
     command.add_option("--target", target, "Point looked at, X,Y,Z; the box's centre where none is named");
     command.add_option("--up", up, "Direction that points up in the picture")->capture_default_str();
-    command.add_option("--fov", field_of_view, "Field of view of the frame's height, degrees")->check(check_number)->capture_default_str();
+    command.add_option("--fov", field_of_view, "Field of view of the frame's height, degrees")
+        ->check(check_number)
+        ->capture_default_str();
     command.add_option("--projection", projection, "perspective or parallel")->capture_default_str();
-    command.add_option("--light", light, "Direction to the light X,Y,Z in the world; viewer:X,Y,Z along the camera's right, up, back; point:X,Y,Z a position");
+    command.add_option("--light", light,
+                       "Direction to the light X,Y,Z in the world; viewer:X,Y,Z along the camera's right, up, back; "
+                       "point:X,Y,Z a position");
     command.add_option("--light-color", light_color, "R,G,B, #RRGGBB or a name")->capture_default_str();
-    command.add_option("--background", background, "R,G,B, #RRGGBB, a name, transparent, or an image as directory:image (paper:plain)");
-    command.add_option("--samples", samples, "Samples a pixel: 1, 4, 9 or 16")->check(check_whole_number)->capture_default_str();
+    command.add_option("--background", background,
+                       "R,G,B, #RRGGBB, a name, transparent, or an image as directory:image (paper:plain)");
+    command.add_option("--samples", samples, "Samples a pixel: 1, 4, 9 or 16")
+        ->check(check_whole_number)
+        ->capture_default_str();
     command.add_option("--animation", animation, "Name of one of the model's animations");
     command.add_option("--time", time, "Seconds into the animation")->check(check_number)->capture_default_str();
     command.add_option("--texture", texture, "Image for all surfaces in place of the materials' own");
     command.add_option("--seed", seed, "Seed of everything random")->check(check_whole_number)->capture_default_str();
     command.add_option("--reference", reference, "Picture to compare with; exit status 1 when it differs");
-    command.add_option("--threshold", threshold, "Largest mean difference, or MEAN,MAXIMUM, in levels of 0 to 255")->capture_default_str();
+    command.add_option("--threshold", threshold, "Largest mean difference, or MEAN,MAXIMUM, in levels of 0 to 255")
+        ->capture_default_str();
     command.add_flag("--list-passes", list_passes, "Print the passes, each with its time");
     common.add_to(command);
 }
@@ -92,7 +109,8 @@ DrawOptions RenderOptions::draw_options() const {
     options.view.field_of_view = field_of_view;
     if (projection != "perspective" && projection != "parallel") {
         const std::vector<std::string> known{"perspective", "parallel"};
-        fail("--projection: expected perspective or parallel, found \"{}\"{}", projection, suggestion(projection, known));
+        fail("--projection: expected perspective or parallel, found \"{}\"{}", projection,
+             suggestion(projection, known));
     }
     options.view.parallel = projection == "parallel";
     if (!light.empty()) options.light = parse_light(light);
@@ -138,7 +156,8 @@ std::vector<Job> folder_jobs(const RenderOptions& options) {
     std::error_code error;
     if (!fs::is_directory(options.input_folder, error)) fail("{}: no such folder", options.input_folder);
     const fs::path output = options.output.empty() ? fs::path(".") : fs::path(options.output);
-    if (!fs::is_directory(output, error)) fail("{}: expected a folder for the pictures of --input-dir", output.string());
+    if (!fs::is_directory(output, error))
+        fail("{}: expected a folder for the pictures of --input-dir", output.string());
     std::vector<fs::path> models;
     for (const fs::directory_entry& entry : fs::directory_iterator(options.input_folder, error)) {
         if (entry.is_regular_file(error) && is_readable(entry.path())) models.push_back(entry.path());

@@ -16,8 +16,7 @@ public:
         // Declared now, so that other passes find it.
         const std::string& name = pass.variable<std::string>("texture").value();
         const bool is_depth = part_ == Part::depth;
-        auto texture =
-            pass.generated().declare(name, is_depth ? gpu::TextureFormat::depth : gpu::TextureFormat::rgba8);
+        auto texture = pass.generated().declare(name, is_depth ? gpu::TextureFormat::depth : gpu::TextureFormat::rgba8);
         copy_ = std::make_unique<gpu::Framebuffer>(pass.resources().gpu(), is_depth ? nullptr : texture,
                                                    is_depth ? texture : nullptr);
     }

@@ -52,7 +52,8 @@ protected:
 
 private:
     void check_texture() const {
-        if (pass_.variable<std::string>("texture").value().empty()) fail("expected a texture to start from, found none");
+        if (pass_.variable<std::string>("texture").value().empty())
+            fail("expected a texture to start from, found none");
     }
 
     void run(RenderContext& context, const gpu::Program& program, const gpu::Texture& source,

@@ -2,14 +2,14 @@
 
 namespace croquis::components {
 
+// clang-format off
+
 // CORE_COMPONENT(name) registers the class that name.cpp makes in its function make_name.
-#define CORE_COMPONENT(name)                                                                  \
-    {                                                                                         \
-        #name, [](const framework::Pass& pass) {                                              \
-            std::unique_ptr<framework::Component> make_##name(const framework::Pass&);        \
-            return make_##name(pass);                                                         \
-        }                                                                                     \
-    }
+#define CORE_COMPONENT(name)                                                           \
+    {#name, [](const framework::Pass& pass) {                                          \
+         std::unique_ptr<framework::Component> make_##name(const framework::Pass&);    \
+         return make_##name(pass);                                                     \
+     }}
 
 framework::ComponentTable core_components() {
     return {
@@ -27,5 +27,7 @@ framework::ComponentTable core_components() {
 }
 
 #undef CORE_COMPONENT
+
+// clang-format on
 
 }  // namespace croquis::components

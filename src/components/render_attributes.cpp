@@ -43,8 +43,7 @@ private:
         const std::string& name = pass.variable<std::string>("render_target").value();
         if (name.empty()) fail("component {} needs a name in render_target", pass.component().name);
         framework::GeneratedTextures& generated = pass.generated();
-        return gpu::Framebuffer(pass.resources().gpu(),
-                                generated.declare(name + "_normals", gpu::TextureFormat::rgba8),
+        return gpu::Framebuffer(pass.resources().gpu(), generated.declare(name + "_normals", gpu::TextureFormat::rgba8),
                                 generated.declare(name + "_depth", gpu::TextureFormat::depth),
                                 generated.declare(name + "_distances", gpu::TextureFormat::rgba8));
     }

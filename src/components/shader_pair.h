@@ -20,7 +20,9 @@ public:
     }
 
     /// For full-screen passes: only `fragment_program` is a variable.
-    [[nodiscard]] static ShaderPair full_screen(const framework::Pass& pass) { return ShaderPair(pass, full_screen_vertex); }
+    [[nodiscard]] static ShaderPair full_screen(const framework::Pass& pass) {
+        return ShaderPair(pass, full_screen_vertex);
+    }
 
     [[nodiscard]] const gpu::Program& program() const { return *program_; }
 

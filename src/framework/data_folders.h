@@ -19,7 +19,8 @@ public:
 
     [[nodiscard]] const std::vector<std::filesystem::path>& folders() const { return folders_; }
 
-    /// The first file `kind/name + ending` that exists, or an empty path. Throws Error for a name that leaves its folder
+    /// The first file `kind/name + ending` that exists, or an empty path. Throws Error for a name that leaves its
+    /// folder
     /// ("../secret", "/etc/passwd") or goes through a link out of it.
     [[nodiscard]] std::filesystem::path find(const std::string& kind, const std::string& name,
                                              const std::string& ending) const;

@@ -5,7 +5,6 @@
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
-
 namespace croquis::framework {
 namespace {
 

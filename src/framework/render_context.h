@@ -29,9 +29,9 @@ struct Light {
 
 /// What stands behind the drawing in place of the technique's own clear colour.
 struct Background {
-    glm::vec4 color{1.0f};                         ///< alpha 0: transparent
-    std::shared_ptr<const gpu::Texture> image;     ///< tiled, pixel by pixel; none for a plain colour
-    std::shared_ptr<const gpu::Program> tiled;     ///< draws it: image:tiled
+    glm::vec4 color{1.0f};                      ///< alpha 0: transparent
+    std::shared_ptr<const gpu::Texture> image;  ///< tiled, pixel by pixel; none for a plain colour
+    std::shared_ptr<const gpu::Program> tiled;  ///< draws it: image:tiled
 };
 
 struct RenderContext {
@@ -54,8 +54,8 @@ struct RenderContext {
     /// Fills the frame with an image, from the upper left, with the program of image:tiled.
     void tile_frame(const gpu::Program& program, const gpu::Texture& image, float scale) const;
 
-    /// The part of a target that the model's vertices cover, and `margin` pixels around it: all that can hold anything of
-    /// the model (seed A, 5.4.1).
+    /// The part of a target that the model's vertices cover, and `margin` pixels around it: all that can hold anything
+    /// of the model (seed A, 5.4.1).
     [[nodiscard]] gpu::Rectangle model_rectangle(int width, int height, int margin) const;
 
     /// True when the eye stands outside the model's box: then the backs of closed meshes cannot be seen.

@@ -1,8 +1,8 @@
 #include "framework/scene.h"
 
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
-#include <fmt/format.h>
 
 #include "base/names.h"
 #include "model/posed_shape.h"
@@ -32,14 +32,16 @@ std::unique_ptr<gpu::Geometry> upload(gpu::Context& context, const model::Mesh& 
     const std::vector<PositionAndNormal> vertices = interleave(mesh.positions, mesh.normals);
     using Kind = gpu::Attribute::Kind;
     std::vector<gpu::VertexBuffer> buffers;
-    buffers.push_back({std::as_bytes(std::span(vertices)), sizeof(PositionAndNormal),
-                       {{position_location, 3, Kind::floats, 0}, {normal_location, 3, Kind::floats, sizeof(glm::vec3)}}});
+    buffers.push_back(
+        {std::as_bytes(std::span(vertices)),
+         sizeof(PositionAndNormal),
+         {{position_location, 3, Kind::floats, 0}, {normal_location, 3, Kind::floats, sizeof(glm::vec3)}}});
     if (!mesh.texcoords.empty()) {
         buffers.push_back({std::as_bytes(std::span(mesh.texcoords)), sizeof(glm::vec2), {{texcoord_location, 2}}});
     }
     if (!mesh.colors.empty()) {
-        buffers.push_back({std::as_bytes(std::span(mesh.colors)), sizeof(glm::u8vec4),
-                           {{color_location, 4, Kind::bytes_to_unit}}});
+        buffers.push_back(
+            {std::as_bytes(std::span(mesh.colors)), sizeof(glm::u8vec4), {{color_location, 4, Kind::bytes_to_unit}}});
     }
     return std::make_unique<gpu::Geometry>(context, buffers, mesh.triangles);
 }
@@ -121,8 +123,8 @@ void Scene::clear_pose() {
 void Scene::upload_positions(const model::Pose* pose) {
     for (std::size_t i = 0; i < parts_.size(); ++i) {
         const model::Mesh& mesh = model_->meshes[i];
-        const auto vertices = pose ? interleave((*pose)[i].positions, (*pose)[i].normals)
-                                   : interleave(mesh.positions, mesh.normals);
+        const auto vertices =
+            pose ? interleave((*pose)[i].positions, (*pose)[i].normals) : interleave(mesh.positions, mesh.normals);
         parts_[i].surface->update(0, std::as_bytes(std::span(vertices)));
         parts_[i].edges.reset();
     }

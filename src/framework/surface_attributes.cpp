@@ -28,10 +28,8 @@ PackedAttributes pack(const SurfaceAttributes& attributes) {
 
 SurfaceAttributes unpack(const PackedAttributes& packed) {
     const auto& [normals, distances] = packed;
-    return {glm::vec3(normals[0], normals[1], normals[2]) * (2.0f / byte_steps) - 1.0f,
-            normals[3],
-            float(distances[0] << 8 | distances[1]) / depth_steps,
-            float(distances[2]) / byte_steps};
+    return {glm::vec3(normals[0], normals[1], normals[2]) * (2.0f / byte_steps) - 1.0f, normals[3],
+            float(distances[0] << 8 | distances[1]) / depth_steps, float(distances[2]) / byte_steps};
 }
 
 }  // namespace croquis::framework

@@ -62,8 +62,8 @@ void Context::describe() {
     api_ = epoxy_is_desktop_gl() ? Api::gl : Api::gles;
     const int least = api_ == Api::gl ? 33 : 30;
     if (version < least) {
-        fail("expected {} {}.{} or later, found {}.{}", api_ == Api::gl ? "OpenGL" : "OpenGL ES", least / 10, least % 10,
-             version / 10, version % 10);
+        fail("expected {} {}.{} or later, found {}.{}", api_ == Api::gl ? "OpenGL" : "OpenGL ES", least / 10,
+             least % 10, version / 10, version % 10);
     }
     renderer_ = text_of(GL_RENDERER);
     version_ = text_of(GL_VERSION);

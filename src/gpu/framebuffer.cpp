@@ -28,10 +28,7 @@ void attach(GLenum point, const std::shared_ptr<Texture>& texture) {
 
 Framebuffer::Framebuffer(Context& context, std::shared_ptr<Texture> color, std::shared_ptr<Texture> depth,
                          std::shared_ptr<Texture> second_color)
-    : context_(&context),
-      color_(std::move(color)),
-      second_color_(std::move(second_color)),
-      depth_(std::move(depth)) {
+    : context_(&context), color_(std::move(color)), second_color_(std::move(second_color)), depth_(std::move(depth)) {
     assert(color_ || depth_);
     glGenFramebuffers(1, &id_);
     ++context_->counters().live_framebuffers;

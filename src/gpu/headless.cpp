@@ -31,7 +31,8 @@ std::vector<Display> hardware_displays() {
     for (EGLint i = 0; i < count; ++i) {
         const char* extensions = eglQueryDeviceStringEXT(devices[std::size_t(i)], EGL_EXTENSIONS);
         const bool is_software =
-            extensions != nullptr && std::string_view(extensions).find("EGL_MESA_device_software") != std::string_view::npos;
+            extensions != nullptr &&
+            std::string_view(extensions).find("EGL_MESA_device_software") != std::string_view::npos;
         if (is_software) continue;
         displays.push_back({eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[std::size_t(i)], nullptr),
                             fmt::format("EGL device {}", i)});
@@ -50,13 +51,9 @@ std::vector<Display> displays_for(Device device) {
 }
 
 EGLContext create_context(EGLDisplay display, Api api) {
-    constexpr std::array gl_attributes{EGL_CONTEXT_MAJOR_VERSION,
-                                       3,
-                                       EGL_CONTEXT_MINOR_VERSION,
-                                       3,
-                                       EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                       EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                       EGL_NONE};
+    constexpr std::array gl_attributes{
+        EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
     constexpr std::array gles_attributes{EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 0, EGL_NONE};
     if (!eglBindAPI(api == Api::gl ? EGL_OPENGL_API : EGL_OPENGL_ES_API)) return EGL_NO_CONTEXT;
     return eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT,
@@ -73,7 +70,8 @@ public:
 
     // The display stays initialised: other contexts may share it, and Mesa frees it at exit.
     ~HeadlessContext() override {
-        if (eglGetCurrentContext() == context_) eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+        if (eglGetCurrentContext() == context_)
+            eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         eglDestroyContext(display_, context_);
     }
 

@@ -23,7 +23,8 @@ std::string header_for(Api api, Stage stage, Output output) {
     header += "#define FRAGMENT_STAGE\n#define between in\n";
     header += "layout(location = 0) out vec4 first_output;\n";
     // Where only one is asked for, the second is assigned and forgotten.
-    return header + (output == Output::two ? "layout(location = 1) out vec4 second_output;\n" : "vec4 second_output;\n");
+    return header +
+           (output == Output::two ? "layout(location = 1) out vec4 second_output;\n" : "vec4 second_output;\n");
 }
 
 std::string main_for(const ShaderSource& source, Stage stage) {

@@ -63,7 +63,8 @@ public:
         if (std::find(open_.begin(), open_.end(), name) != open_.end()) {
             fail("shader includes form a cycle: {} -> {}", fmt::join(open_, " -> "), name);
         }
-        if (open_.size() >= deepest_include) fail("shader includes are more than {} deep at \"{}\"", deepest_include, name);
+        if (open_.size() >= deepest_include)
+            fail("shader includes are more than {} deep at \"{}\"", deepest_include, name);
         if (std::find(read_.begin(), read_.end(), name) != read_.end()) return;
         const ShaderFile file = find_(name);
         read_.push_back(name);

@@ -13,15 +13,26 @@ void enable(GLenum capability, bool on) { on ? glEnable(capability) : glDisable(
 void apply_blend(Blend blend) {
     enable(GL_BLEND, blend != Blend::off);
     switch (blend) {
-        case Blend::off: break;
-        case Blend::multiplied: glBlendFuncSeparate(GL_SRC_ALPHA, GL_ZERO, GL_ONE, GL_ZERO); break;
+        case Blend::off:
+            break;
+        case Blend::multiplied:
+            glBlendFuncSeparate(GL_SRC_ALPHA, GL_ZERO, GL_ONE, GL_ZERO);
+            break;
         case Blend::over:
             glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
             break;
-        case Blend::over_premultiplied: glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA); break;
-        case Blend::multiply: glBlendFuncSeparate(GL_DST_COLOR, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE); break;
-        case Blend::screen: glBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_COLOR, GL_ZERO, GL_ONE); break;
-        case Blend::add: glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE); break;
+        case Blend::over_premultiplied:
+            glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+            break;
+        case Blend::multiply:
+            glBlendFuncSeparate(GL_DST_COLOR, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+            break;
+        case Blend::screen:
+            glBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_COLOR, GL_ZERO, GL_ONE);
+            break;
+        case Blend::add:
+            glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE);
+            break;
     }
 }
 
@@ -46,7 +57,8 @@ struct SavedCapabilities {
     std::array<bool, names.size()> on{};
 
     SavedCapabilities() {
-        std::transform(names.begin(), names.end(), on.begin(), [](GLenum name) { return glIsEnabled(name) == GL_TRUE; });
+        std::transform(names.begin(), names.end(), on.begin(),
+                       [](GLenum name) { return glIsEnabled(name) == GL_TRUE; });
     }
     ~SavedCapabilities() {
         for (std::size_t i = 0; i < names.size(); ++i) enable(names[i], on[i]);
@@ -148,9 +160,15 @@ struct SavedBindings {
 void apply(const DrawState& state) {
     enable(GL_DEPTH_TEST, state.depth_test != DepthTest::off || state.write_depth);
     switch (state.depth_test) {
-        case DepthTest::off: glDepthFunc(GL_ALWAYS); break;
-        case DepthTest::nearer: glDepthFunc(GL_LESS); break;
-        case DepthTest::nearer_or_equal: glDepthFunc(GL_LEQUAL); break;
+        case DepthTest::off:
+            glDepthFunc(GL_ALWAYS);
+            break;
+        case DepthTest::nearer:
+            glDepthFunc(GL_LESS);
+            break;
+        case DepthTest::nearer_or_equal:
+            glDepthFunc(GL_LEQUAL);
+            break;
     }
     glDepthMask(state.write_depth ? GL_TRUE : GL_FALSE);
     const GLboolean color = state.write_color ? GL_TRUE : GL_FALSE;

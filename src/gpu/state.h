@@ -18,8 +18,8 @@ enum class Cull { none, back, front };
 enum class DepthTest { off, nearer, nearer_or_equal };
 enum class Blend {
     off,
-    multiplied,     ///< in place of what the target holds, but multiplied by alpha: the frame holds them so
-    over,           ///< colours not multiplied by alpha, onto a target that holds them multiplied
+    multiplied,  ///< in place of what the target holds, but multiplied by alpha: the frame holds them so
+    over,        ///< colours not multiplied by alpha, onto a target that holds them multiplied
     over_premultiplied,
     multiply,
     screen,

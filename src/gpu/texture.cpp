@@ -17,9 +17,12 @@ struct GlFormat {
 
 GlFormat gl_format(TextureFormat format) {
     switch (format) {
-        case TextureFormat::rgba8: return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE};
-        case TextureFormat::rgba16f: return {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT};
-        case TextureFormat::depth: return {GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT};
+        case TextureFormat::rgba8:
+            return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE};
+        case TextureFormat::rgba16f:
+            return {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT};
+        case TextureFormat::depth:
+            return {GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT};
     }
     return {};
 }

@@ -9,7 +9,6 @@
 #include "base/error.h"
 #include "base/files.h"
 
-
 namespace croquis::image {
 namespace {
 
@@ -30,7 +29,8 @@ Image decode(std::span<const std::byte> bytes, const std::string& name) {
     const std::unique_ptr<stbi_uc, FreePixels> pixels(
         stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()), static_cast<int>(bytes.size()), &width,
                               &height, &channels, STBI_rgb_alpha));
-    if (!pixels) fail("{}: expected an image, found {} bytes that are none ({})", name, bytes.size(), stbi_failure_reason());
+    if (!pixels)
+        fail("{}: expected an image, found {} bytes that are none ({})", name, bytes.size(), stbi_failure_reason());
     Image image(width, height);
     const auto source = reinterpret_cast<const glm::u8vec4*>(pixels.get());
     std::copy_n(source, image.pixels().size(), image.pixels().begin());
