@@ -41,7 +41,8 @@ function(croquis_test name)
   target_link_libraries(test_${name} PRIVATE croquis_flags ${ARG_USES} GTest::gtest_main)
   add_dependencies(unit_tests test_${name})
   set(environment "CROQUIS_DATA=${CMAKE_SOURCE_DIR}/data" "LP_NUM_THREADS=1"
-                  "ASAN_OPTIONS=intercept_tls_get_addr=0")
+                  "ASAN_OPTIONS=intercept_tls_get_addr=0"
+                  "LSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/lsan_suppressions.txt:print_suppressions=0")
   if(ARG_GL)
     foreach(gl gl gles)
       add_test(NAME ${name}_${gl} COMMAND test_${name})

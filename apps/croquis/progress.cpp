@@ -5,6 +5,8 @@
 
 #include <cstdio>
 
+#include "base/log.h"
+
 namespace croquis::app {
 
 Progress::Progress(std::size_t total) : total_(total), is_shown_(total > 1 && ::isatty(STDERR_FILENO) != 0) {}
@@ -22,14 +24,6 @@ void report(const std::string& line) {
     if (::isatty(STDERR_FILENO) != 0) fmt::print(stderr, "{}\n", line);
 }
 
-void complain(const std::string& message) {
-    std::string line;
-    for (const char c : message) {
-        const auto code = static_cast<unsigned char>(c);
-        const bool is_control = code < 0x20 || code == 0x7f;
-        line += is_control ? fmt::format("\\x{:02x}", code) : std::string(1, c);
-    }
-    fmt::print(stderr, "croquis: {}\n", line);
-}
+void complain(const std::string& message) { fmt::print(stderr, "croquis: {}\n", printable(message)); }
 
 }  // namespace croquis::app

@@ -62,7 +62,7 @@ public:
     struct Choice {
         std::string api;     ///< "gl" or "gles"
         std::string device;  ///< "auto", "hardware" or "software"
-        /// Folders with components, techniques, shaders and textures of the user's own, searched before the shipped one.
+        /// Folders with the user's own components, techniques, shaders and textures, searched before the shipped one.
         std::vector<std::string> data_folders;
     };
 

@@ -55,8 +55,8 @@ struct DrawOptions {
     Light light{};
     std::optional<Background> background{};
     std::string animation{};  ///< name of the model's animation; at rest when empty
-    double time = 0;        ///< seconds into the animation
-    std::uint64_t seed = 0;  ///< of everything random
+    double time = 0;          ///< seconds into the animation
+    std::uint64_t seed = 0;   ///< of everything random
 };
 
 }  // namespace croquis

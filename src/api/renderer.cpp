@@ -109,9 +109,8 @@ struct Renderer::State {
 
 // Models that nobody but their scene holds any more are dropped from the GPU.
 Renderer::State::Uploaded& Renderer::State::upload(const std::shared_ptr<const model::Model>& model) {
-    std::erase_if(scenes, [&](const auto& entry) {
-        return entry.first != model.get() && entry.second.model.use_count() <= 1;
-    });
+    std::erase_if(scenes,
+                  [&](const auto& entry) { return entry.first != model.get() && entry.second.model.use_count() <= 1; });
     Uploaded& uploaded = scenes[model.get()];
     if (!uploaded.scene) {
         uploaded.scene = std::make_unique<framework::Scene>(resources, model);
@@ -246,7 +245,7 @@ std::vector<PassTime> Renderer::time_passes(const Model& model, Technique& techn
 
 Renderer::Counts Renderer::counts() const {
     const gpu::Counters& counters = state_->context->counters();
-    return {counters.live_objects(),   counters.draws,           counters.read_backs,
+    return {counters.live_objects(),  counters.draws,           counters.read_backs,
             counters.programs_linked, counters.texture_uploads, counters.geometry_uploads};
 }
 

@@ -60,14 +60,16 @@ std::vector<std::uint32_t> sorted_half_edges(const Topology& topology) {
 /// The connected parts of surfaces: faces joined at their edges (union-find, with path halving).
 class Parts {
 public:
-    explicit Parts(std::size_t face_count) : parent_(face_count) {
+    explicit Parts(std::size_t face_count) : parent_(face_count), count_(face_count) {
         std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
     }
 
     void join(std::uint32_t a, std::uint32_t b) {
         a = first_face(a);
         b = first_face(b);
+        if (a == b) return;
         parent_[std::max(a, b)] = std::min(a, b);
+        --count_;
     }
 
     /// The first face of the part that holds `face`: what names the part.
@@ -76,8 +78,11 @@ public:
         return face;
     }
 
+    [[nodiscard]] std::size_t count() const { return count_; }
+
 private:
     std::vector<std::uint32_t> parent_;
+    std::size_t count_;
 };
 
 /// Notes which meshes the faces of one edge leave open, crowd or wind two ways, and joins the faces of the others.
@@ -124,6 +129,7 @@ void add_edges(Topology& topology, Parts& parts) {
 /// turn away serves both.
 void check_parts(Topology& topology, Parts& parts) {
     const std::vector<Face>& faces = topology.faces;
+    if (parts.count() <= 1) return;
     std::vector<double> volume(faces.size());  // of parts, six times over; stands at the part's first face
     for (std::uint32_t f = 0; f < faces.size(); ++f) {
         if (!topology.mesh_is_solid[faces[f].mesh]) continue;

@@ -106,6 +106,7 @@ std::map<std::string, std::vector<int>> state() {
     integers("array buffer", GL_ARRAY_BUFFER_BINDING, 1);
     integers("active texture", GL_ACTIVE_TEXTURE, 1);
     integers("viewport", GL_VIEWPORT, 4);
+    integers("scissor box", GL_SCISSOR_BOX, 4);
     integers("depth mask", GL_DEPTH_WRITEMASK, 1);
     integers("colour mask", GL_COLOR_WRITEMASK, 4);
     integers("depth function", GL_DEPTH_FUNC, 1);

@@ -72,7 +72,7 @@ TEST(Formats, RefusalsAreClear) {
              Case{"OBJ/point_cloud.obj", "expected triangles, found only lines and points"},
              Case{"PLY/points.ply", "expected triangles, found only lines and points"},
              Case{"ASE/ThreeCubesGreen_UTF16LE.ASE", "expected UTF-8 text, found UTF-16"},
-             Case{"OFF/invalid.off", "expected triangles, found none"},
+             Case{"OFF/invalid.off", "expected triangles, found 2 of no area"},
              Case{"invalid/OutOfMemory.off", "expected room for 353535235358 vertices, found a file of 309 bytes"},
              Case{"invalid/empty.ply", "expected a model, found an empty file"},
              Case{"glTF2/RecursiveNodes/RecursiveNodes.gltf",

@@ -119,6 +119,28 @@ TEST(Obj, MaterialsComeFromTheirFile) {
     EXPECT_EQ(model->materials[5].name, "unheard of");
 }
 
+TEST(Obj, WithoutMaterialsItHasTheDefaults) {
+    for (const char* use : {"", "usemtl unheard of\n"}) {
+        const auto model = load_text("m.obj", std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\n") + use + "f 1 2 3\n");
+        ASSERT_EQ(model->materials.size(), 1u);
+        const Material &given = model->materials[0], defaults;
+        EXPECT_LT(glm::length(given.ambient - defaults.ambient), 1e-6f);
+        EXPECT_EQ(given.diffuse, defaults.diffuse);
+        EXPECT_EQ(given.specular, defaults.specular);
+        EXPECT_EQ(given.shininess, defaults.shininess);
+        EXPECT_EQ(given.opacity, defaults.opacity);
+    }
+}
+
+TEST(Obj, DropsTrianglesWithMissingVerticesWithOneWarning) {
+    ::testing::internal::CaptureStderr();
+    const auto model = load_text("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 9\n");
+    const std::string warning = ::testing::internal::GetCapturedStderr();
+    EXPECT_EQ(model->triangle_count(), 1u);
+    EXPECT_TRUE(warning.ends_with("m.obj: left out 1 triangle with vertices that the file does not have\n")) << warning;
+    EXPECT_EQ(std::count(warning.begin(), warning.end(), '\n'), 1);
+}
+
 TEST(Obj, FarFromItsOriginItKeepsItsDetail) {
     const auto model = load_text("far.obj", sphere(10, 10, 0.001, 1e6));
     EXPECT_NEAR(model->origin.x, 1e6, 0.01);
@@ -147,12 +169,17 @@ TEST(Obj, RefusesWithOneClearLine) {
              Case{"# nothing\n", "x.obj: expected triangles, found none"},
              Case{"v 0 0 0\nv 1 0 0\nl 1 2\n", "x.obj: expected triangles, found only lines and points"},
              Case{"v 0 0 0\np 1\n", "x.obj: expected triangles, found only lines and points"},
-             Case{"v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", "x.obj: expected triangles, found none"},
+             Case{"v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", "x.obj: expected triangles, found 1 of no area"},
              Case{"v 0 0\n", "x.obj:1: expected a number, found the end of the line"},
              Case{"v 0 0 0\n\nv 0 zero 0\n", "x.obj:3: expected a number, found \"zero\""},
              Case{"v 0 0 0\nf 1 a 2\n", "x.obj:2: expected a vertex index, found something else"},
              Case{"v 0 0 0\nf 1;1 1 1\n", "x.obj:2: expected corners such as 1/2/3, found \" 1;1 1 1\""},
-             Case{"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 7 8 9\n", "x.obj: expected triangles, found none"},
+             Case{"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 7 8 9\n",
+                  "x.obj: expected triangles, found 1 with vertices that the file does not have"},
+             Case{"v 0 0 0\nv 1e300 0 0\nv 0 1 0\nf 1 2 3\nf 1 3 2\nf 1 2 4\n",
+                  "x.obj: expected triangles, found 1 with vertices that the file does not have and 2 with points that "
+                  "are no "
+                  "finite numbers below 1e18"},
          }) {
         EXPECT_EQ(error_of("x.obj", c.text), c.error);
     }

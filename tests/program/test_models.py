@@ -38,7 +38,7 @@ INVALID_FILES = {
 
 # Other broken models of that package, from ASSIMP.
 BROKEN_MODELS = {
-    "OFF/invalid.off": "expected triangles, found none",
+    "OFF/invalid.off": "expected triangles, found 2 of no area",
     "OBJ/testline.obj": "expected triangles, found only lines and points",
     "OBJ/testpoints.obj": "expected triangles, found only lines and points",
     "PLY/points.ply": "expected triangles, found only lines and points",
