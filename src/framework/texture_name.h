@@ -8,8 +8,8 @@ namespace croquis::framework {
 
 struct TextureName {
     bool is_generated = false;
-    std::string directory;  ///< in data/textures; empty for generated textures
-    std::string image;      ///< without ending; "*" for the first of the directory; the name of a generated texture
+    std::string directory;    ///< in data/textures; empty for generated textures
+    std::string image;        ///< without ending; "*" for the first of the directory; the name of a generated texture
     bool is_filtered = true;  ///< trilinear rather than nearest; generated textures are always nearest
 
     /// Throws Error saying which form was expected and what was found.

@@ -66,7 +66,7 @@ struct MeshRig {
     std::vector<glm::vec3> normals;
     std::vector<Shape> shapes;
     std::vector<std::uint32_t> bone_nodes;
-    std::vector<glm::mat4> bone_offsets;           ///< mesh space to bone space, one a bone
+    std::vector<glm::mat4> bone_offsets;              ///< mesh space to bone space, one a bone
     std::vector<std::array<std::uint16_t, 4>> bones;  ///< four bones a vertex, or none
     std::vector<std::array<float, 4>> weights;        ///< their shares, summing to 1
 };

@@ -174,7 +174,7 @@ Camera place_camera(const Model& model, const Pose* pose, const ViewRequest& req
     if (request.eye) {
         camera.eye = space.from_file(*request.eye);
         if (!is_usable(camera.eye - target))
-            fail("expected the eye to stand away from the target, found both at one point");
+            fail("expected the eye at a distance from the target, found {:g}", glm::length(camera.eye - target));
         set_axes(camera, camera.eye - target, request.up);
         camera.half_height = camera.tangent * glm::length(camera.eye - target);
     } else {

@@ -29,7 +29,7 @@ struct LoadOptions {
 
 /// What a reader of one format hands over, before it is checked and completed.
 struct RawMesh {
-    Mesh mesh;                                     ///< normals may be missing, or not of unit length
+    Mesh mesh;                                    ///< normals may be missing, or not of unit length
     std::vector<std::uint32_t> smoothing_groups;  ///< one bit set a triangle (0: flat), or none
 };
 struct RawModel {
@@ -43,6 +43,7 @@ struct RawModel {
 /// Checks and completes what a reader found: drops faces with indices out of range, points that are not finite and
 /// faces of no area, computes missing normals (angle-weighted, honouring smoothing groups or the crease angle), turns
 /// faces to agree with given normals, gives regions their ids. Throws Error, naming `name`, when nothing is left.
-[[nodiscard]] std::shared_ptr<const Model> finish(RawModel raw, const std::string& name, const LoadOptions& options = {});
+[[nodiscard]] std::shared_ptr<const Model> finish(RawModel raw, const std::string& name,
+                                                  const LoadOptions& options = {});
 
 }  // namespace croquis::model

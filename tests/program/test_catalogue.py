@@ -130,9 +130,11 @@ class Catalogue(program.ProgramTest):
     def test_describe_in_words(self):
         text = self.said("describe", "wireframe")
         self.assertRegex(text, r"(?m)^technique wireframe$")
-        text = self.said("describe", "edge_detect")
-        self.assertRegex(text, r"(?m)^component edge_detect : edge_detector$")
-        self.assertIn("    number normal_threshold = 0.7  (from -1 to 100)\n", text)
+        text = self.said("describe", "wireframe", "--component")
+        self.assertRegex(text, r"(?m)^component wireframe$")
+        text = self.said("describe", "edge_detect_normals")
+        self.assertRegex(text, r"(?m)^component edge_detect_normals : edge_detector$")
+        self.assertIn("    number threshold = 0.7  (from -1 to 100)\n", text)
         self.assertNotIn("fragment_program", text)
 
     def test_describe_every_technique(self):
