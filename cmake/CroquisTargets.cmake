@@ -39,6 +39,7 @@ function(croquis_test name)
   cmake_parse_arguments(ARG "GL" "" "SOURCES;USES" ${ARGN})
   add_executable(test_${name} ${ARG_SOURCES})
   target_link_libraries(test_${name} PRIVATE croquis_flags ${ARG_USES} GTest::gtest_main)
+  target_compile_options(test_${name} PRIVATE $<$<CONFIG:Release>:-O1>)  # compiling costs more than running
   add_dependencies(unit_tests test_${name})
   set(environment "CROQUIS_DATA=${CMAKE_SOURCE_DIR}/data" "LP_NUM_THREADS=1"
                   "ASAN_OPTIONS=intercept_tls_get_addr=0"
