@@ -20,11 +20,14 @@ public:
           keep_depth_(pass.variable<bool>("keep_depth")),
           clear_color_(pass.variable<glm::vec3>("clear_color")),
           objects_(pass.variable<std::string>("objects")),
+          edges_(pass.variable<std::string>("edges")),
           lines_(pass.resources().program("wireframe:edge_quad", "wireframe:line")),
           depth_only_(pass.resources().program("default:default_transform", "attributes:nothing")) {}
 
 protected:
     void render(RenderContext& context) override {
+        const bool only_tagged = edges_.value() == "tagged";
+        if (only_tagged && !context.scene.has_tagged_edges()) return;
         if (!keep_depth_.value()) context.frame.clear_depth();
         if (!keep_color_.value()) context.clear_frame(clear_color_.value());
         context.frame.bind();
@@ -35,7 +38,8 @@ protected:
         pass_.apply_parameters(*lines_, 0);
         gpu::apply({.depth_test = hide_.value() ? gpu::DepthTest::nearer_or_equal : gpu::DepthTest::off,
                     .blend = gpu::Blend::over});
-        context.scene.draw_edges(selection);
+        using Edges = framework::Scene::Edges;
+        context.scene.draw_edges(selection, only_tagged ? Edges::tagged : Edges::all);
     }
 
 private:
@@ -57,6 +61,7 @@ private:
     framework::Variable<bool> keep_depth_;
     framework::Variable<glm::vec3> clear_color_;
     framework::Variable<std::string> objects_;
+    framework::Variable<std::string> edges_;
     std::shared_ptr<const gpu::Program> lines_;
     std::shared_ptr<const gpu::Program> depth_only_;
 };

@@ -92,7 +92,7 @@ Scene::Scene(Resources& resources, std::shared_ptr<const model::Model> model)
         const model::Mesh& mesh = model_->meshes[i];
         const auto& image = model_->materials[mesh.material].texture;
         parts_.push_back(
-            {upload(resources.gpu(), mesh), image ? resources.image(image) : nullptr, cull_of(topology, i), nullptr});
+            {upload(resources.gpu(), mesh), image ? resources.image(image) : nullptr, cull_of(topology, i), {}});
     }
     find_bounds();
 }
@@ -126,7 +126,7 @@ void Scene::upload_positions(const model::Pose* pose) {
         const auto vertices =
             pose ? interleave((*pose)[i].positions, (*pose)[i].normals) : interleave(mesh.positions, mesh.normals);
         parts_[i].surface->update(0, std::as_bytes(std::span(vertices)));
-        parts_[i].edges.reset();
+        parts_[i].edges = {};
     }
     find_bounds();
 }
@@ -152,24 +152,30 @@ void Scene::draw_surfaces(const ObjectSelection& selection, const gpu::Program& 
     }
 }
 
-void Scene::draw_edges(const ObjectSelection& selection) {
+void Scene::draw_edges(const ObjectSelection& selection, Edges which) {
     for (std::size_t i = 0; i < parts_.size(); ++i) {
         if (!selection.includes(*model_, model_->meshes[i])) continue;
-        if (!parts_[i].edges) parts_[i].edges = make_edges(i);
-        parts_[i].edges->draw();
+        std::unique_ptr<gpu::Geometry>& edges = parts_[i].edges[which == Edges::all ? 0 : 1];
+        if (!edges) edges = make_edges(i, which);
+        edges->draw();
     }
 }
 
 // The edges of a mesh are those whose first face is its own, so that an edge between two meshes is drawn once.
-std::unique_ptr<gpu::Geometry> Scene::make_edges(std::size_t mesh) const {
+std::unique_ptr<gpu::Geometry> Scene::make_edges(std::size_t mesh, Edges which) const {
     const model::Topology& topology = model_->topology();
     const model::PosedShape shape = model::posed_shape(*model_, pose());
     std::vector<EdgeInstance> edges;
-    for (const model::Edge& edge : topology.edges) {
-        if (topology.faces[edge.faces[0]].mesh != mesh) continue;
+    const auto add = [&](const model::Edge& edge) {
+        if (topology.faces[edge.faces[0]].mesh != mesh) return;
         const std::uint32_t second = edge.faces[1] == model::no_face ? edge.faces[0] : edge.faces[1];
         edges.push_back({shape.positions[edge.vertices[0]], shape.positions[edge.vertices[1]],
                          shape.face_normals[edge.faces[0]], shape.face_normals[second]});
+    };
+    if (which == Edges::all) {
+        for (const model::Edge& edge : topology.edges) add(edge);
+    } else {
+        for (const std::uint32_t index : topology.tagged_edges) add(topology.edges[index]);
     }
     using Kind = gpu::Attribute::Kind;
     const gpu::VertexBuffer buffer{std::as_bytes(std::span(edges)),

@@ -1,6 +1,7 @@
 // A model on the GPU: its meshes uploaded once, its materials' textures, its edges when someone draws them.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <glm/mat4x4.hpp>
 #include <memory>
@@ -59,21 +60,25 @@ public:
     void draw_surfaces(const ObjectSelection& selection, const gpu::Program& program, gpu::DrawState state,
                        const SurfaceOptions& options);
 
+    enum class Edges { all, tagged };
+
+    [[nodiscard]] bool has_tagged_edges() const { return !model_->topology().tagged_edges.empty(); }
+
     /// Draws the selected meshes' edges with the bound program: one instance an edge, of four strip vertices, with both
     /// end points and both face normals as attributes.
-    void draw_edges(const ObjectSelection& selection);
+    void draw_edges(const ObjectSelection& selection, Edges which);
 
 private:
     struct Part {
         std::unique_ptr<gpu::Geometry> surface;
         std::shared_ptr<const gpu::Texture> texture;
         gpu::Cull cull = gpu::Cull::none;
-        std::unique_ptr<gpu::Geometry> edges;  // made when first drawn
+        std::array<std::unique_ptr<gpu::Geometry>, 2> edges;  // all and tagged, made when first drawn
     };
 
     void upload_positions(const model::Pose* pose);
     void find_bounds();
-    [[nodiscard]] std::unique_ptr<gpu::Geometry> make_edges(std::size_t mesh) const;
+    [[nodiscard]] std::unique_ptr<gpu::Geometry> make_edges(std::size_t mesh, Edges which) const;
 
     Resources* resources_;
     std::shared_ptr<const model::Model> model_;

@@ -162,6 +162,9 @@ void move_near_origin(RawModel& raw) {
     const glm::dvec3 origin = suitable_origin(bounds.low, bounds.high);
     if (origin == glm::dvec3(0.0)) return;
     raw.origin += origin;
+    for (TaggedEdge& edge : raw.tagged_edges) {
+        for (glm::vec3& p : edge) p = glm::vec3(glm::dvec3(p) - origin);
+    }
     for (RawMesh& one : raw.meshes) {
         for (glm::vec3& p : one.mesh.positions) p = glm::vec3(glm::dvec3(p) - origin);
     }
@@ -242,6 +245,7 @@ std::shared_ptr<const Model> finish(RawModel raw, const std::string& name, const
     model->name = name;
     model->bounds = bounds_of(raw);
     model->origin = raw.origin;
+    model->tagged_edges = std::move(raw.tagged_edges);
     model->materials = std::move(raw.materials);
     model->clips = std::move(raw.clips);
     model->rig = std::move(raw.rig);

@@ -37,6 +37,7 @@ struct RawModel {
     std::vector<Material> materials;
     std::vector<AnimationClip> clips;
     Rig rig;
+    std::vector<TaggedEdge> tagged_edges;
     glm::dvec3 origin{0.0};
 };
 

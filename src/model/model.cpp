@@ -15,7 +15,8 @@ std::size_t Model::vertex_count() const {
 }
 
 const Topology& Model::topology() const {
-    std::call_once(topology_once_, [this] { topology_ = std::make_unique<const Topology>(weld(meshes)); });
+    std::call_once(topology_once_,
+                   [this] { topology_ = std::make_unique<const Topology>(weld(meshes, tagged_edges)); });
     return *topology_;
 }
 

@@ -69,7 +69,8 @@ struct Model {
     std::vector<Mesh> meshes;  ///< never without triangles
     std::vector<Material> materials;
     std::vector<AnimationClip> clips;
-    Rig rig;  ///< what the clips move; empty without clips
+    Rig rig;                               ///< what the clips move; empty without clips
+    std::vector<TaggedEdge> tagged_edges;  ///< relative to origin
     glm::dvec3 origin{0.0};
     Bounds bounds;  ///< at rest, relative to origin
 

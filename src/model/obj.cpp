@@ -2,6 +2,7 @@
 // triangle. Polygons only; curves and surfaces are skipped. The text is never held as a whole, and points are read in
 // double so that a model far from its origin keeps its detail.
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 #include <utility>
@@ -35,6 +36,7 @@ private:
         if (keyword == "f" || keyword == "fo") return read_face(line);
         if (keyword == "vn") return read_normal(line);
         if (keyword == "vt") return read_texcoord(line);
+        if (keyword == "l") read_tagged_edges(line);
         if (keyword == "l" || keyword == "p") found_other_ = true;
         if (keyword == "usemtl") return use_material(std::string(trimmed(line)));
         if (keyword == "mtllib") return read_materials(trimmed(line));
@@ -137,6 +139,21 @@ private:
         }
     }
 
+    /// A line along the edges of faces marks them to be drawn always.
+    void read_tagged_edges(std::string_view rest) {
+        read_corners(rest);
+        for (std::size_t i = 1; i < face_.size(); ++i) tagged_.push_back({face_[i - 1].point, face_[i].point});
+    }
+
+    [[nodiscard]] std::vector<TaggedEdge> tagged_edges(const glm::dvec3& origin) const {
+        std::vector<TaggedEdge> edges;
+        for (const auto& [a, b] : tagged_) {
+            if (a >= lists_.points.size() || b >= lists_.points.size()) continue;
+            edges.push_back({glm::vec3(lists_.points[a] - origin), glm::vec3(lists_.points[b] - origin)});
+        }
+        return edges;
+    }
+
     void read_face(std::string_view rest) {
         read_corners(rest);
         if (face_.size() < 3) {
@@ -226,6 +243,7 @@ private:
             high = glm::max(high, p);
         }
         if (!lists_.points.empty() && glm::length(high - low) < 1e18) raw.origin = suitable_origin(low, high);
+        raw.tagged_edges = tagged_edges(raw.origin);
         for (ObjMesh& mesh : meshes_) raw.meshes.push_back(mesh.build(lists_, raw.origin));
         for (const std::string& used : used_materials_) {
             const auto found = std::find_if(materials_.begin(), materials_.end(),
@@ -254,6 +272,8 @@ private:
     std::string object_, group_, material_;
     std::uint32_t smoothing_ = 0;
     bool saw_smoothing_ = false, found_other_ = false;
+
+    std::vector<std::array<std::uint32_t, 2>> tagged_;  // pairs of points
 
     std::vector<ObjCorner> face_;  // kept to save allocations
     std::vector<std::uint32_t> vertices_, cut_;

@@ -2,7 +2,10 @@
 #include "model/topology.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
+#include <set>
+#include <utility>
 
 #include "model/model.h"
 #include "model/welding.h"
@@ -163,9 +166,34 @@ bool is_inverted(const Mesh& mesh) {
     return volume < 0;
 }
 
+using PointNumbers = std::map<std::array<float, 3>, std::uint32_t>;
+
+std::array<float, 3> as_key(const glm::vec3& p) { return {p.x + 0.0f, p.y + 0.0f, p.z + 0.0f}; }  // no -0
+
+/// Finds the edges between the ends that the author marked. Costs one look at each point and edge, if any is marked.
+void tag_edges(Topology& topology, std::span<const TaggedEdge> tagged) {
+    if (tagged.empty()) return;
+    PointNumbers numbers;
+    for (const TaggedEdge& edge : tagged) {
+        for (const glm::vec3& end : edge) numbers.try_emplace(as_key(end), no_face);
+    }
+    for (std::uint32_t v = 0; v < topology.positions.size(); ++v) {
+        const auto found = numbers.find(as_key(topology.positions[v]));
+        if (found != numbers.end()) found->second = v;
+    }
+    std::set<std::pair<std::uint32_t, std::uint32_t>> wanted;
+    for (const TaggedEdge& edge : tagged) {
+        wanted.insert(std::minmax({numbers.at(as_key(edge[0])), numbers.at(as_key(edge[1]))}));
+    }
+    for (std::uint32_t e = 0; e < topology.edges.size(); ++e) {
+        const auto& ends = topology.edges[e].vertices;
+        if (wanted.contains({ends[0], ends[1]})) topology.tagged_edges.push_back(e);
+    }
+}
+
 }  // namespace
 
-Topology weld(std::span<const Mesh> meshes) {
+Topology weld(std::span<const Mesh> meshes, std::span<const TaggedEdge> tagged) {
     std::vector<std::span<const glm::vec3>> lists;
     std::size_t triangles = 0;
     for (const Mesh& mesh : meshes) {
@@ -187,6 +215,7 @@ Topology weld(std::span<const Mesh> meshes) {
     Parts parts(topology.faces.size());
     add_edges(topology, parts);
     check_parts(topology, parts);
+    tag_edges(topology, tagged);
     return topology;
 }
 

@@ -12,6 +12,9 @@ namespace croquis::model {
 
 struct Mesh;
 
+/// Both ends of an edge that the model's author marked to be drawn always (seed C, chapter 3: artistic edges).
+using TaggedEdge = std::array<glm::vec3, 2>;
+
 constexpr std::uint32_t no_face = 0xffffffffu;
 
 /// An undirected edge. Of more than two faces on an edge the first two stand here; `face_count` tells how many.
@@ -34,6 +37,7 @@ struct Topology {
     std::vector<glm::vec3> face_normals;  ///< unit, from the winding
     std::vector<Edge> edges;
     std::vector<std::uint32_t> crowded_edges;  ///< indices of edges with three or more faces
+    std::vector<std::uint32_t> tagged_edges;   ///< indices of edges that the model's author marked
 
     /// True for a mesh whose surface is closed, has two faces on each edge and is wound one way, in all of its
     /// connected parts alike: then faces that turn away from the eye are never seen. A body with a hollow, whose wall
@@ -45,7 +49,8 @@ struct Topology {
     [[nodiscard]] std::size_t border_edge_count() const;
 };
 
-/// Welds vertices at exactly equal positions (-0 equals 0) across all meshes.
-[[nodiscard]] Topology weld(std::span<const Mesh> meshes);
+/// Welds vertices at exactly equal positions (-0 equals 0) across all meshes. Tagged edges that are no edge of a mesh
+/// are passed over.
+[[nodiscard]] Topology weld(std::span<const Mesh> meshes, std::span<const TaggedEdge> tagged = {});
 
 }  // namespace croquis::model

@@ -30,6 +30,22 @@ TEST(Obj, ReadsTheWaysOfWritingAFace) {
     }
 }
 
+// Row M6: lines along edges mark them; lines elsewhere mark nothing.
+TEST(Obj, LinesTagTheEdgesTheyRunAlong) {
+    for (const char* offset : {"0", "1e7"}) {
+        std::string text;
+        for (const char* corner : {"0 0", "2 0", "2 2", "0 2"}) text += fmt::format("v {} {}\n", offset, corner);
+        const auto model = load_text("square.obj", text + "f 1 2 3\nf 1 3 4\nl 3 1\nl 2 4\nl 1 2 9\n");
+        const Topology& topology = model->topology();
+        ASSERT_EQ(topology.tagged_edges.size(), 2u) << offset;  // the diagonal 1-3 and the side 1-2
+        std::size_t borders = 0;
+        for (const std::uint32_t index : topology.tagged_edges) {
+            borders += topology.edges[index].faces[1] == no_face ? 1 : 0;
+        }
+        EXPECT_EQ(borders, 1u) << offset;
+    }
+}
+
 TEST(Obj, CutsConcavePolygonsWithinTheirOutline) {
     // An L of three unit squares, from each of its corners, wound both ways.
     const std::vector<glm::vec2> outline = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};

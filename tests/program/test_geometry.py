@@ -71,9 +71,20 @@ class Geometry(program.ProgramTest):
     def test_lines_beside_triangles_are_left_out(self):
         triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
         self.write("triangle.obj", triangle)
-        self.write("mixed.obj", triangle + "l 1 2\np 3\n")
+        self.write("mixed.obj", triangle + "v 0.2 0.2 0\nl 1 4\np 3\n")  # a line along no edge
         self.said("render", "triangle.obj", *SMALL, "-o", "triangle.png")
         self.said("render", "mixed.obj", *SMALL, "--reference", "triangle.png", "--threshold", "0")
+
+    def test_tagged_edges_are_drawn(self):
+        """A line along the diagonal of a flat square shows in a cartoon, which has no other reason to draw it."""
+        square = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 1 2 3\nf 1 3 4\n"
+        for name, text, is_drawn in (("plain.obj", square, False), ("tagged.obj", square + "l 1 3\n", True)):
+            self.write(name, text)
+            picture = self.drawn(name, "--size", "200x200", "--view", "front", "-t", "cartoon")
+            dark = [max(picture.at(x, 199 - x)[:3]) < 60 for x in range(60, 140)]
+            with self.subTest(model=name):
+                self.assertEqual(all(dark), is_drawn)
+                self.assertEqual(any(dark), is_drawn)
 
 
 if __name__ == "__main__":
