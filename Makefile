@@ -25,7 +25,7 @@ docs: build
 	@tools/make_docs.py --croquis $(BUILD)/croquis
 
 bench: build
-	@$(BUILD)/bench/croquis_bench
+	@$(BUILD)/bench/croquis_bench --benchmark_enable_random_interleaving=true
 
 clean:
 	rm -rf build
