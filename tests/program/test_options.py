@@ -197,7 +197,7 @@ class Pixels(program.ProgramTest):
 
     def test_list_passes(self):
         lines = self.said("render", COMPASS, *SMALL, "-t", "cartoon", "--list-passes").splitlines()
-        self.assertEqual([line.split(" ms  ")[1] for line in lines], ["surfaces", "attributes", "edges", "all passes"])
+        self.assertEqual([line.split(" ms  ")[1] for line in lines], ["surfaces", "attributes", "edges", "tagged_lines", "all passes"])
         times = [float(line.split(" ms")[0]) for line in lines]
         self.assertAlmostEqual(sum(times[:-1]), times[-1], delta=0.01)
         self.assertEqual(self.files(), set())
