@@ -4,12 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <memory>
-#include <random>
 #include <string>
 #include <string_view>
 
+#include "../support/temporary_folder.h"
 #include "base/error.h"
 #include "model/load.h"
 
@@ -18,29 +17,7 @@ namespace croquis::model::testing {
 /// Debian's assimp-testmodels.
 inline const std::filesystem::path sample_folder = "/usr/share/assimp/models";
 
-/// A folder that is gone with its owner.
-class TemporaryFolder {
-public:
-    TemporaryFolder() {
-        std::random_device random;
-        path_ = std::filesystem::temp_directory_path() / ("croquis-model-test-" + std::to_string(random()));
-        std::filesystem::create_directories(path_);
-    }
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    std::filesystem::path write(const std::string& name, std::string_view bytes) const {
-        std::ofstream(path_ / name, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-        return path_ / name;
-    }
-
-private:
-    std::filesystem::path path_;
-};
+using test_support::TemporaryFolder;
 
 /// The model of a text, as a file of that name.
 inline std::shared_ptr<const Model> load_text(const std::string& name, std::string_view text,
