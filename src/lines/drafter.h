@@ -32,6 +32,8 @@ struct Options {
     /// zigzags smooth out within half a pixel. Off: exactly the visible edges.
     bool clean = true;
     std::uint64_t seed = 0;
+
+    bool operator==(const Options&) const = default;
 };
 
 /// How long the last drawing took, in milliseconds, and what it met.

@@ -26,18 +26,35 @@ struct StrokePoint {
     float along = 0;                          ///< length of the spine up to here, pixels
 };
 
-/// An unbroken piece of a stroke. Line breaks of an offset file and dashes make several of one line.
-struct Stroke {
-    std::uint32_t line = 0;  ///< of the drawing: its class, mesh and layers
-    bool closed = false;
-    std::uint32_t first_point = 0;
-    std::uint32_t point_count = 0;
+/// How an open stroke ends.
+enum class StrokeEnds : std::uint8_t {
+    round,  ///< with half a disc, which also fills the gaps between lines that meet (seed E, 10.4)
+    butt,   ///< square, at the last point
 };
 
-/// All strokes of a drawing.
+/// What strokes are laid down with, besides what their points say.
+struct Brush {
+    StrokeEnds ends = StrokeEnds::round;
+    /// The name of an image that runs along the spine and repeats; black leaves all of the stroke's colour, white none.
+    /// Empty: an even stroke.
+    std::string texture;
+};
+
+/// An unbroken piece of a stroke. Line breaks of an offset file, dashes, corners and repetitions make several of one
+/// line.
+struct Stroke {
+    std::uint32_t line = 0;  ///< of the drawing: its class, mesh and layers
+    bool closed = false;     ///< the last point is joined to the first, which is not repeated
+    std::uint32_t first_point = 0;
+    std::uint32_t point_count = 0;
+    std::uint32_t brush = 0;  ///< of the strokes' brushes
+};
+
+/// All strokes of a drawing, in the order in which they are painted: lines behind most layers first, contours last.
 struct Strokes {
     std::vector<Stroke> strokes;
     std::vector<StrokePoint> points;
+    std::vector<Brush> brushes{Brush{}};
 
     [[nodiscard]] std::span<const StrokePoint> points_of(const Stroke& stroke) const {
         return std::span(points).subspan(stroke.first_point, stroke.point_count);

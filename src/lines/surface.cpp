@@ -12,18 +12,12 @@ namespace {
 
 constexpr std::size_t faces_a_piece = 8192;
 
-/// True when the face's winding passes from a to b.
-bool winds_along(const model::Face& face, std::uint32_t a, std::uint32_t b) {
-    const auto& v = face.vertices;
-    return (v[0] == a && v[1] == b) || (v[1] == a && v[2] == b) || (v[2] == a && v[0] == b);
-}
-
 }  // namespace
 
 Surface::Surface(std::shared_ptr<const model::Model> model, const model::Pose* pose)
     : model_(std::move(model)), topology_(&model_->topology()), positions_(topology_->positions) {
     if (pose != nullptr) {
-        posed_positions_ = model::posed_shape(*model_, pose).positions;
+        posed_positions_ = model::posed_positions(*model_, *pose);
         positions_ = posed_positions_;
     }
     const model::SceneSpace space = model::SceneSpace::of(*model_);
@@ -31,7 +25,6 @@ Surface::Surface(std::shared_ptr<const model::Model> model, const model::Pose* p
     per_unit_ = 1.0 / space.radius;
     make_planes();
     make_pairs();
-    make_stars();
 }
 
 void Surface::make_planes() {
@@ -54,31 +47,15 @@ void Surface::make_pairs() {
     pairs_.resize(edges.size());
     parallel_for(edges.size(), faces_a_piece, [&](std::size_t begin, std::size_t end) {
         for (std::size_t e = begin; e < end; ++e) {
-            const auto& [a, b] = edges[e].vertices;
             const auto& [first, second] = edges[e].faces;
-            const bool regular = second != model::no_face && winds_along(topology_->faces[first], a, b) !=
-                                                                 winds_along(topology_->faces[second], a, b);
-            pairs_[e] = {first, regular ? second : first};
+            pairs_[e] = {first, second == model::no_face ? first : second};
         }
     });
     for (const std::uint32_t e : topology_->crowded_edges) pairs_[e].second = pairs_[e].first;
+    for (const std::uint32_t e : topology_->twisted_edges) pairs_[e].second = pairs_[e].first;
     for (std::uint32_t e = 0; e < pairs_.size(); ++e) {
         if (pairs_[e].first == pairs_[e].second) irregular_edges_.push_back(e);
     }
-}
-
-void Surface::make_stars() {
-    const std::vector<model::Face>& faces = topology_->faces;
-    star_starts_.assign(positions_.size() + 2, 0);
-    for (const model::Face& face : faces) {
-        for (const std::uint32_t v : face.vertices) ++star_starts_[v + 2];
-    }
-    for (std::size_t v = 2; v < star_starts_.size(); ++v) star_starts_[v] += star_starts_[v - 1];
-    star_faces_.resize(faces.size() * 3);
-    for (std::uint32_t f = 0; f < faces.size(); ++f) {
-        for (const std::uint32_t v : faces[f].vertices) star_faces_[star_starts_[v + 1]++] = f;
-    }
-    star_starts_.pop_back();
 }
 
 bool Surface::exactly_front_facing(std::uint32_t face, const Viewpoint& view) const {

@@ -53,7 +53,7 @@ public:
 
     /// The faces at a vertex, in ascending order.
     [[nodiscard]] std::span<const std::uint32_t> faces_around(std::uint32_t vertex) const {
-        return std::span(star_faces_).subspan(star_starts_[vertex], star_starts_[vertex + 1] - star_starts_[vertex]);
+        return topology_->faces_around(vertex);
     }
 
     /// True when the face's outer side is turned to the eye: n · (e − v) > 0 (seed D, section 2; seed E, 10.3.2).
@@ -87,7 +87,6 @@ private:
     [[nodiscard]] bool exactly_front_facing(std::uint32_t face, const Viewpoint& view) const;
     void make_planes();
     void make_pairs();
-    void make_stars();
 
     std::shared_ptr<const model::Model> model_;
     const model::Topology* topology_;
@@ -98,7 +97,6 @@ private:
     std::vector<glm::vec4> planes_;
     std::vector<FacePair> pairs_;
     std::vector<std::uint32_t> irregular_edges_;
-    std::vector<std::uint32_t> star_starts_, star_faces_;
 };
 
 }  // namespace croquis::lines

@@ -29,6 +29,8 @@ struct Viewpoint {
     double height = 768;
     double near_distance = 1e-3;  ///< scene units; nothing nearer is drawn
 
+    bool operator==(const Viewpoint&) const = default;
+
     /// The view of a camera in a frame of some pixels.
     [[nodiscard]] static Viewpoint of(const model::Camera& camera, double width, double height);
 

@@ -1,0 +1,95 @@
+#include "lines/contours.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
+
+#include "base/parallel.h"
+#include "lines/pieces.h"
+
+namespace croquis::lines {
+namespace {
+
+/// How far beside the line, in pixels, one looks past it.
+constexpr double aside = 2e-3;
+
+bool is_outline_class(LineClass line_class) {
+    return line_class == LineClass::silhouette || line_class == LineClass::border;
+}
+
+/// Pieces cut at every crossing, those with lines behind them too.
+void cut(const VisibilityTask& task, std::vector<Piece>& pieces, std::vector<ChainKey>& keys) {
+    const CrossingsByEdge crossings(task);
+    std::vector<Piece> cut_pieces;
+    std::vector<ChainKey> cut_keys;
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+        Piece rest = pieces[p];
+        if (rest.layers == 0 && is_outline_class(keys[p].line_class)) {
+            for (const Crossing& crossing : crossings.of(rest.edge)) {
+                if (crossing.share <= rest.from || crossing.share >= rest.to) continue;
+                cut_pieces.push_back({rest.edge, rest.from, crossing.share, 0});
+                cut_keys.push_back(keys[p]);
+                rest.from = crossing.share;
+            }
+        }
+        cut_pieces.push_back(rest);
+        cut_keys.push_back(keys[p]);
+    }
+    pieces = std::move(cut_pieces);
+    keys = std::move(cut_keys);
+}
+
+/// True when a ray just outside of the piece meets nothing behind it.
+bool has_nothing_behind(const VisibilityTask& task, const RayCaster& rays, const Piece& piece) {
+    const ImageEdge& edge = task.edges.edges()[piece.edge];
+    const glm::dvec2 along = task.edges.vertices()[edge.b].position - task.edges.vertices()[edge.a].position;
+    const double length = glm::length(along);
+    if (!(length > 0) || edge.step == 0) return false;
+    ImagePoint point = task.edges.point_at(edge, 0.5 * (piece.from + piece.to));
+    point.position += (edge.step > 0 ? aside : -aside) / length * glm::dvec2(-along.y, along.x);
+    const glm::dvec3 from = task.view.unproject(point);
+    const glm::dvec3 away = -glm::normalize(task.view.towards_eye(from));
+    const FacePair pair = task.surface.pairs()[edge.edge];
+    return rays.layers(from, from + 4.0 * away, std::array{pair.first, pair.second}, 0.0, 1) == 0;
+}
+
+/// True where the surface around a joint of two links goes on without another hiding edge.
+bool is_plain_joint(const VisibilityTask& task, const std::vector<Piece>& pieces, const Link& before,
+                    const Link& after) {
+    const Piece &first = pieces[before.piece], &second = pieces[after.piece];
+    if (first.edge == second.edge) return false;
+    const ImageEdge& edge = task.edges.edges()[first.edge];
+    const std::uint32_t vertex = before.reversed ? edge.a : edge.b;
+    const auto around = task.edges.edges_at(vertex);
+    return std::count_if(around.begin(), around.end(),
+                         [&](std::uint32_t e) { return task.edges.edges()[e].step != 0; }) == 2;
+}
+
+}  // namespace
+
+void find_contours(const VisibilityTask& task, const RayCaster& rays, std::vector<Piece>& pieces,
+                   std::vector<ChainKey>& keys) {
+    cut(task, pieces, keys);
+    const Chains chains = chain_pieces(task.edges, pieces, keys);
+    parallel_for(chains.chains.size(), 4, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t c = begin; c < end; ++c) {
+            const auto links = chains.links_of(chains.chains[c]);
+            if (pieces[links[0].piece].layers != 0 || !is_outline_class(keys[links[0].piece].line_class)) continue;
+            std::size_t first = 0;
+            while (first < links.size()) {
+                std::size_t last = first + 1;
+                while (last < links.size() && is_plain_joint(task, pieces, links[last - 1], links[last])) ++last;
+                const auto run = links.subspan(first, last - first);
+                const Link longest = *std::max_element(run.begin(), run.end(), [&](const Link& x, const Link& y) {
+                    return pieces[x.piece].to - pieces[x.piece].from < pieces[y.piece].to - pieces[y.piece].from;
+                });
+                if (has_nothing_behind(task, rays, pieces[longest.piece])) {
+                    for (const Link& link : run) keys[link.piece].line_class = LineClass::contour;
+                }
+                first = last;
+            }
+        }
+    });
+}
+
+}  // namespace croquis::lines

@@ -1,0 +1,77 @@
+// The edges of one view in the picture: those that are lines, and those that hide (seed D, section 3).
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "lines/features.h"
+#include "lines/line_class.h"
+#include "lines/surface.h"
+#include "lines/viewpoint.h"
+
+namespace croquis::lines {
+
+constexpr std::uint32_t no_vertex = 0xffffffffu;
+
+/// An end of image edges.
+struct ImageVertex {
+    glm::dvec2 position{0.0};  ///< pixels, moved by a billionth of the frame at most, so that no three ends line up
+    double nearness = 0;       ///< as ImagePoint::nearness
+    std::uint32_t vertex = no_vertex;  ///< of the surface; none for an end that was cut off
+};
+
+/// A piece of a mesh edge, or of another curve on the surface, in the picture.
+struct ImageEdge {
+    std::uint32_t a = 0, b = 0;  ///< image vertices
+    std::uint32_t edge = 0;      ///< of the surface
+    /// Layers of surface gained by passing behind the edge from the side where orientation(a, b, p) is positive to the
+    /// other: 2 or -2 for a silhouette, 1 or -1 for a border, 0 for an edge that ends no surface in the picture.
+    std::int8_t step = 0;
+    LineClass line_class = LineClass::silhouette;
+    bool is_line = false;       ///< to be drawn; else it only hides
+    bool never_seen = false;   ///< a concave silhouette or a turned away crease of a solid: its own body hides it
+    /// Of a regular silhouette: 1 where it is convex, its nearer face turned to the eye (seed D calls it front facing),
+    /// -1 where it is concave; 0 where that is too close to call, and for other edges.
+    std::int8_t bend = 0;
+};
+
+/// All edges of a view that are lines or hide, with the ends that they share.
+class ImageEdges {
+public:
+    explicit ImageEdges(const Surface& surface);
+
+    /// Gathers a view's edges. `silhouettes` are regular edges in ascending order.
+    void gather(const Viewpoint& view, const Features& features, std::span<const std::uint32_t> silhouettes,
+                LineClasses classes);
+
+    [[nodiscard]] const std::vector<ImageVertex>& vertices() const { return vertices_; }
+    [[nodiscard]] const std::vector<ImageEdge>& edges() const { return edges_; }
+
+    /// The image edges at an image vertex.
+    [[nodiscard]] std::span<const std::uint32_t> edges_at(std::uint32_t vertex) const {
+        return std::span(around_).subspan(around_starts_[vertex], around_starts_[vertex + 1] - around_starts_[vertex]);
+    }
+    /// True when nothing of the surface's edges was cut off or left out because it lies outside of the frame.
+    [[nodiscard]] bool is_whole() const { return is_whole_; }
+
+    /// A point of an edge: 0 is a, 1 is b; shares are of the length in the picture.
+    [[nodiscard]] ImagePoint point_at(const ImageEdge& edge, double share) const;
+
+private:
+    void add(const Viewpoint& view, ImageEdge edge);
+    [[nodiscard]] std::uint32_t shared_vertex(std::uint32_t vertex, const ImagePoint& point);
+    void connect();
+
+    const Surface& surface_;
+    std::vector<ImageVertex> vertices_;
+    std::vector<ImageEdge> edges_;
+    std::vector<std::uint32_t> around_starts_, around_;
+    std::vector<std::uint32_t> image_vertex_of_;  // one a vertex of the surface
+    std::vector<bool> mesh_hides_own_backs_;      // one a mesh, for the view at hand
+    bool is_whole_ = true;
+};
+
+}  // namespace croquis::lines
