@@ -13,6 +13,9 @@ namespace model {
 struct Model;
 }
 
+class LineDrawing;
+struct LineOptions;
+
 /// A stretch of movement that a model brings along.
 struct Animation {
     std::string name;
@@ -39,8 +42,13 @@ public:
     [[nodiscard]] std::array<double, 3> low_corner() const;
     [[nodiscard]] std::array<double, 3> high_corner() const;
 
+    /// The model as a smooth surface: its faces cut into four so many times, 0 to 5, its points moved to the limit.
+    /// `scheme` is loop or catmull-clark. The result stands still. Throws Error.
+    [[nodiscard]] Model subdivided(const std::string& scheme, int levels) const;
+
 private:
     friend class Renderer;
+    friend LineDrawing draw_lines(const Model& model, const LineOptions& options);
     explicit Model(std::shared_ptr<const model::Model> model) : model_(std::move(model)) {}
     std::shared_ptr<const model::Model> model_;
 };

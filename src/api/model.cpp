@@ -1,6 +1,7 @@
 #include "croquis/model.h"
 
 #include "model/load.h"
+#include "model/subdivision.h"
 
 namespace croquis {
 
@@ -20,6 +21,10 @@ std::vector<Animation> Model::animations() const {
     std::vector<Animation> animations;
     for (const model::AnimationClip& clip : model_->clips) animations.push_back({clip.name, clip.seconds});
     return animations;
+}
+
+Model Model::subdivided(const std::string& scheme, int levels) const {
+    return Model(model::subdivide(*model_, model::subdivision_scheme(scheme), levels));
 }
 
 std::array<double, 3> Model::low_corner() const {

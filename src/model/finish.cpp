@@ -12,6 +12,7 @@
 #include "model/textures.h"
 #include "model/vertices.h"
 #include "model/welding.h"
+#include "model/winding.h"
 
 namespace croquis::model {
 namespace {
@@ -88,18 +89,6 @@ void fit_normals(std::vector<glm::vec3>& normals, std::size_t count) {
     for (glm::vec3& normal : normals) {
         const double length = glm::length(glm::dvec3(normal));
         normal = std::isfinite(length) && length > 0 ? glm::vec3(glm::dvec3(normal) / length) : glm::vec3(0.0f);
-    }
-}
-
-/// Turns faces whose normals, where the file gives them, look the other way than the winding.
-void turn_to_normals(Mesh& mesh) {
-    for (std::size_t t = 0; t + 2 < mesh.triangles.size(); t += 3) {
-        std::uint32_t* const corner = &mesh.triangles[t];
-        const glm::dvec3 given = glm::dvec3(mesh.normals[corner[0]]) + glm::dvec3(mesh.normals[corner[1]]) +
-                                 glm::dvec3(mesh.normals[corner[2]]);
-        const glm::dvec3 area =
-            area_vector(mesh.positions[corner[0]], mesh.positions[corner[1]], mesh.positions[corner[2]]);
-        if (glm::dot(area, given) < 0) std::swap(corner[1], corner[2]);
     }
 }
 

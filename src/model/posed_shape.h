@@ -17,4 +17,7 @@ struct PosedShape {
 /// The shape of `model.topology()` at rest (`pose` null) or in a pose.
 [[nodiscard]] PosedShape posed_shape(const Model& model, const Pose* pose);
 
+/// The points of `model.topology()` in a pose.
+[[nodiscard]] std::vector<glm::vec3> posed_positions(const Model& model, const Pose& pose);
+
 }  // namespace croquis::model

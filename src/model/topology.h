@@ -29,15 +29,18 @@ struct Face {
     std::uint32_t mesh = 0;
 };
 
-/// All meshes welded into one: vertices at the same position are one vertex, faces of no area are gone, and each
-/// undirected edge stands once.
+/// All meshes welded into one: vertices at the same position are one vertex, faces of no area are gone, borders that
+/// coincide but for rounding are sewn (model/sewing.h), and each undirected edge stands once.
 struct Topology {
     std::vector<glm::vec3> positions;  ///< one a welded vertex
     std::vector<Face> faces;
-    std::vector<glm::vec3> face_normals;  ///< unit, from the winding
-    std::vector<Edge> edges;
-    std::vector<std::uint32_t> crowded_edges;  ///< indices of edges with three or more faces
-    std::vector<std::uint32_t> tagged_edges;   ///< indices of edges that the model's author marked
+    std::vector<Edge> edges;                   ///< sorted by their vertices
+    std::vector<std::uint32_t> crowded_edges;  ///< indices of edges with three or more faces, ascending
+    std::vector<std::uint32_t> twisted_edges;  ///< indices of edges whose two faces are wound against each other
+    std::vector<std::uint32_t> tagged_edges;   ///< indices of edges that the model's author marked, ascending
+    std::vector<std::uint32_t> star_starts;    ///< where each vertex starts in `star_faces`, and the end of the last
+    std::vector<std::uint32_t> star_faces;     ///< the faces around each vertex in turn: see `faces_around`
+    std::vector<std::uint32_t> sewn;           ///< the vertex of each distinct position; empty unless borders were sewn
 
     /// True for a mesh whose surface is closed, has two faces on each edge and is wound one way, in all of its
     /// connected parts alike: then faces that turn away from the eye are never seen. A body with a hollow, whose wall
@@ -47,10 +50,15 @@ struct Topology {
     std::vector<bool> mesh_is_inverted;
 
     [[nodiscard]] std::size_t border_edge_count() const;
+
+    /// The faces at a vertex, in ascending order.
+    [[nodiscard]] std::span<const std::uint32_t> faces_around(std::uint32_t vertex) const {
+        return std::span(star_faces).subspan(star_starts[vertex], star_starts[vertex + 1] - star_starts[vertex]);
+    }
 };
 
-/// Welds vertices at exactly equal positions (-0 equals 0) across all meshes. Tagged edges that are no edge of a mesh
-/// are passed over.
+/// Welds vertices at exactly equal positions (-0 equals 0) across all meshes, and sews borders that coincide. Tagged
+/// edges that are no edge of a mesh are passed over.
 [[nodiscard]] Topology weld(std::span<const Mesh> meshes, std::span<const TaggedEdge> tagged = {});
 
 }  // namespace croquis::model

@@ -25,4 +25,10 @@ struct WeldedPoints {
     return glm::cross(b - a, c - a);
 }
 
+/// True for a triangle that is more than a point or a line: what has a place in the topology.
+[[nodiscard]] inline bool has_area(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+    const glm::dvec3 area = area_vector(a, b, c);
+    return glm::dot(area, area) > 0;
+}
+
 }  // namespace croquis::model

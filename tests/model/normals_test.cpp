@@ -1,5 +1,9 @@
 // Normals against the analytic sphere and cube, at all sizes.
+#include <cstdio>
+#include <utility>
+
 #include "fixtures.h"
+#include "model/posed_shape.h"
 
 namespace croquis::model::testing {
 namespace {
@@ -99,8 +103,35 @@ TEST(Normals, MissingOnesAreComputed) {
 
 TEST(Normals, FacesAreTurnedToAgreeWithGivenNormals) {
     const auto model = load_text("turned.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 -1\nf 1//1 2//1 3//1\n");
-    EXPECT_EQ(model->topology().face_normals[0], glm::vec3(0, 0, -1));
+    EXPECT_EQ(posed_shape(*model, nullptr).face_normals[0], glm::vec3(0, 0, -1));
     EXPECT_EQ(model->meshes[0].normals[0], glm::vec3(0, 0, -1));
+}
+
+TEST(Normals, FacesThatAreWoundAlikeAreTurnedTogether) {
+    // A cube all of whose sides have the normals of a ball: wound outwards, inwards, and half and half.
+    std::string normals;
+    for (int v = 0; v < 8; ++v)
+        normals += fmt::format("vn {} {} {}\n", (v + 1) / 2 % 2 * 2 - 1, v / 2 % 2 * 2 - 1, v / 4 * 2 - 1);
+    const std::string outwards[] = {"4 3 2 1", "5 6 7 8", "1 2 6 5", "2 3 7 6", "3 4 8 7", "4 1 5 8"};
+    for (const int turned : {0, 2, 6}) {
+        std::string text = std::string(cube_points) + normals;
+        for (int side = 0; side < 6; ++side) {
+            int a, b, c, d;
+            std::sscanf(outwards[side].c_str(), "%d %d %d %d", &a, &b, &c, &d);
+            if (side < turned) std::swap(a, d), std::swap(b, c);
+            text += fmt::format("f {0}//{0} {1}//{1} {2}//{2} {3}//{3}\n", a, b, c, d);
+        }
+        const auto model = load_text("ball.obj", text);
+        EXPECT_TRUE(model->topology().mesh_is_solid[0]) << turned;
+        EXPECT_FALSE(model->topology().mesh_is_inverted[0]) << turned;
+    }
+    // The same with one corner's normal turned inside: the faces there disagree with it, but not their neighbours.
+    const std::string dented = std::string(cube_points) + normals + "vn 9 9 9\n" +
+                               "f 4 3 2 1\nf 5//9 6//6 7//7 8//8\nf 1//1 2//2 6//6 5//9\nf 2 3 7 6\nf 3 4 8 7\n" +
+                               "f 4//9 1//9 5//9 8//9\n";
+    const auto model = load_text("dented.obj", dented);
+    EXPECT_TRUE(model->topology().twisted_edges.empty());
+    EXPECT_FALSE(model->topology().mesh_is_inverted[0]);
 }
 
 }  // namespace

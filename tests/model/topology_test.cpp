@@ -1,6 +1,10 @@
 // Edges, faces and vertices against numbers counted by hand and Euler's relation.
 #include "model/topology.h"
 
+#include <map>
+#include <utility>
+
+#include "base/random.h"
 #include "fixtures.h"
 
 namespace croquis::model::testing {
@@ -148,6 +152,135 @@ TEST(Topology, ThreeFacesOnAnEdgeAreCrowded) {
     ASSERT_EQ(topology.crowded_edges.size(), 1u);
     EXPECT_EQ(topology.edges.size(), 7u);
     EXPECT_EQ(topology.edges[topology.crowded_edges[0]].faces, (std::array<std::uint32_t, 2>{0, 1}));
+}
+
+/// What a model's edges are, found the slow way.
+struct EdgesByName {
+    struct Sides {
+        std::vector<std::uint32_t> faces;
+        std::vector<bool> forward;
+    };
+    std::map<std::pair<std::uint32_t, std::uint32_t>, Sides> sides;
+    std::vector<std::vector<std::uint32_t>> stars;
+
+    explicit EdgesByName(const Topology& topology) : stars(topology.positions.size()) {
+        for (std::uint32_t f = 0; f < topology.faces.size(); ++f) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::uint32_t a = topology.faces[f].vertices[k], b = topology.faces[f].vertices[(k + 1) % 3];
+                Sides& edge = sides[{std::min(a, b), std::max(a, b)}];
+                edge.faces.push_back(f);
+                edge.forward.push_back(a < b);
+                stars[a].push_back(f);
+            }
+        }
+    }
+};
+
+TEST(Topology, EdgesOfAnySoupAreThoseThatItsFacesName) {
+    const Random random(7, "soup");
+    std::uint64_t drawn = 0;
+    const auto below = [&](int count) {
+        return static_cast<std::uint32_t>(random.bits(drawn++) % static_cast<std::uint64_t>(count));
+    };
+    for (const auto& [points, triangles, meshes] : {std::array{12, 80, 1}, std::array{9000, 12000, 3}}) {
+        std::vector<Mesh> soup(static_cast<std::size_t>(meshes));
+        for (Mesh& mesh : soup) {
+            for (std::size_t v = 0; v < static_cast<std::size_t>(points); ++v)
+                mesh.positions.emplace_back(v, v * v % 97, v * v % 101);
+            for (int t = 0; t < triangles; ++t) {  // neighbours in space, so that edges are shared by 1 to many faces
+                const std::uint32_t base = below(points - 6);
+                for (int k = 0; k < 3; ++k) mesh.triangles.push_back(base + below(6));
+            }
+        }
+        const Topology topology = weld(soup);
+        const EdgesByName wanted(topology);
+        ASSERT_EQ(topology.edges.size(), wanted.sides.size());
+        std::vector<std::uint32_t> crowded, twisted;
+        std::uint32_t e = 0;
+        for (const auto& [ends, sides] : wanted.sides) {
+            const Edge& edge = topology.edges[e];
+            ASSERT_EQ(edge.vertices, (std::array{ends.first, ends.second}));
+            ASSERT_EQ(edge.faces[0], sides.faces[0]);
+            ASSERT_EQ(edge.faces[1], sides.faces.size() > 1 ? sides.faces[1] : no_face);
+            if (sides.faces.size() > 2) crowded.push_back(e);
+            if (sides.faces.size() == 2 && sides.forward[0] == sides.forward[1]) twisted.push_back(e);
+            ++e;
+        }
+        EXPECT_EQ(topology.crowded_edges, crowded);
+        EXPECT_EQ(topology.twisted_edges, twisted);
+        for (std::uint32_t v = 0; v < topology.positions.size(); ++v) {
+            const auto star = topology.faces_around(v);
+            ASSERT_TRUE(std::equal(star.begin(), star.end(), wanted.stars[v].begin(), wanted.stars[v].end()));
+        }
+        EXPECT_FALSE(crowded.empty());
+        EXPECT_FALSE(twisted.empty());
+    }
+}
+
+// Large enough for several threads: 2 x 39,600 faces.
+TEST(Topology, LargeBodiesAreSolidWhenAllPartsAreWoundAlike) {
+    for (const bool inside_out : {false, true}) {
+        Mesh both = load_text("sphere.obj", sphere(100, 200, 1))->meshes[0];
+        const std::size_t count = both.positions.size(), corners = both.triangles.size();
+        for (std::size_t v = 0; v < count; ++v) both.positions.push_back(both.positions[v] * 0.5f);
+        for (std::size_t t = 0; t < corners; ++t) {
+            const std::size_t from = inside_out ? corners - 1 - t : t;
+            both.triangles.push_back(both.triangles[from] + static_cast<std::uint32_t>(count));
+        }
+        const Topology topology = weld(std::span(&both, 1));
+        EXPECT_EQ(topology.faces.size(), 2u * 39600u);
+        EXPECT_EQ(euler_number(topology), 4);
+        EXPECT_EQ(topology.mesh_is_solid[0], !inside_out);
+        EXPECT_FALSE(topology.mesh_is_inverted[0]);
+    }
+}
+
+TEST(Topology, BodiesThatShareAnEdgeAreSolidEach) {
+    // Two boxes of different meshes that touch along an edge: four faces there. The second is inside out.
+    const auto model = load_text("touching.obj",
+                                 std::string(cube_points) +
+                                     "v 1 1 0\nv 2 1 0\nv 2 2 0\nv 1 2 0\nv 1 1 1\nv 2 1 1\nv 2 2 1\nv 1 2 1\no one\n" +
+                                     faces_of_cube(1, false) + "o two\n" + faces_of_cube(9, true));
+    EXPECT_EQ(model->topology().crowded_edges.size(), 1u);
+    for (std::size_t m = 0; m < 2; ++m) {
+        EXPECT_TRUE(model->topology().mesh_is_solid[m]);
+        EXPECT_EQ(model->topology().mesh_is_inverted[m], m == 1);
+    }
+}
+
+TEST(Topology, FacesOfNoAreaAreGoneWhereverTheyStand) {
+    Mesh mesh = load_text("sphere.obj", sphere(60, 200, 1))->meshes[0];
+    std::vector<std::uint32_t> triangles;
+    std::size_t flat = 0;
+    for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
+        for (std::size_t k = 0; k < 3; ++k) triangles.push_back(mesh.triangles[t + k]);
+        if (t % 7 != 0) continue;
+        for (const std::size_t k : {0u, 1u, 0u}) triangles.push_back(mesh.triangles[t + k]);
+        ++flat;
+    }
+    const Topology wanted = weld(std::span(&mesh, 1));
+    mesh.triangles = triangles;
+    const Topology topology = weld(std::span(&mesh, 1));
+    EXPECT_GT(flat, 1000u);
+    ASSERT_EQ(topology.faces.size(), wanted.faces.size());
+    for (std::size_t f = 0; f < wanted.faces.size(); ++f)
+        ASSERT_EQ(topology.faces[f].vertices, wanted.faces[f].vertices);
+    EXPECT_TRUE(topology.mesh_is_solid[0]);
+}
+
+TEST(Topology, TaggedEdgesThatAreNoneArePassedOver) {
+    Mesh mesh;
+    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+    mesh.triangles = {0, 1, 2, 1, 3, 2};
+    const std::vector<TaggedEdge> tagged{{glm::vec3(0, 1, 0), glm::vec3(1, 0, 0)},
+                                         {glm::vec3(0, 0, 0), glm::vec3(1, 1, 0)},
+                                         {glm::vec3(5, 5, 5), glm::vec3(0, 0, 0)},
+                                         {glm::vec3(1, 0, 0), glm::vec3(0, 1, -0.0f)},
+                                         {glm::vec3(0, 0, 0), glm::vec3(0, 0, 0)}};
+    const Topology topology = weld(std::span(&mesh, 1), tagged);
+    EXPECT_EQ(topology.positions.size(), 4u);
+    ASSERT_EQ(topology.tagged_edges.size(), 1u);
+    EXPECT_EQ(topology.edges[topology.tagged_edges[0]].faces, (std::array<std::uint32_t, 2>{0, 1}));
 }
 
 TEST(Topology, WeldsRepeatedVerticesAndNegativeZero) {
