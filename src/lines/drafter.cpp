@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "lines/chains.h"
+#include "lines/cleaning.h"
 #include "lines/contours.h"
 #include "lines/crossings.h"
 #include "lines/features.h"
@@ -115,6 +116,7 @@ std::vector<ChainKey> Drafter::State::keys_of(const std::vector<Piece>& pieces, 
 Drawing Drafter::State::draw(const Viewpoint& view) {
     check(view);
     report = {};
+    const CleaningLimits limits;
     StopWatch watch;
     const std::vector<std::uint32_t>& silhouettes = finder->find(view);
     edges.gather(view, features, silhouettes, options.classes);
@@ -131,6 +133,8 @@ Drawing Drafter::State::draw(const Viewpoint& view) {
     report.clusters = result.clusters;
     report.start_values = result.start_values;
     report.doubtful_clusters = result.doubtful_clusters;
+    const bool cleans = options.clean && rays;
+    if (cleans) close_gaps(task, *rays, limits, result.pieces);
     if (!options.hidden) std::erase_if(result.pieces, [](const Piece& piece) { return piece.layers > 0; });
     report.visibility = watch.milliseconds();
 
@@ -138,6 +142,11 @@ Drawing Drafter::State::draw(const Viewpoint& view) {
     if (rays && options.classes.has(LineClass::contour)) find_contours(task, *rays, result.pieces, keys);
     const Chains chains = chain_pieces(edges, result.pieces, keys);
     Drawing drawing = trace(task, chains, result.pieces, keys);
+    if (cleans) {
+        std::vector<Merit> merits = merits_of(task, *rays, limits, result.pieces, keys, chains);
+        drawing = join_lines(drawing, view, limits, merits);
+        drawing = smoothed(without_crumbs(drawing, limits, merits), limits);
+    }
     report.chain = watch.milliseconds();
     return drawing;
 }

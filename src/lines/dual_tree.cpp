@@ -10,13 +10,17 @@
 #include "base/parallel.h"
 #include "lines/radix_order.h"
 
-#include <cstdlib>
 namespace croquis::lines {
-static const bool PF=!getenv("NOPF");
 namespace {
 
 constexpr std::size_t edges_a_piece = 16384;
 constexpr std::size_t nodes_a_piece = 512;
+
+// A box is given up only beyond this height: EyeFunction::doubt, and more than the boxes' arithmetic loses.
+constexpr float slack = EyeFunction::doubt + 4e-6f;
+
+// Makes a box a little too large, so that its 255th part is not rounded to less.
+constexpr float step_of_size = 1.000001f / 255.0f;
 
 /// The whole numbers from 0 to 2^bits - 1 for -1 to 1.
 std::uint32_t quantised(float value, int bits) {
@@ -94,44 +98,50 @@ std::vector<DualTree::Box> DualTree::leaf_boxes(const Surface& surface) const {
     return boxes;
 }
 
-/// The boxes upwards, exact; then the nodes downwards, each rounded within its parent as rounded before.
+/// The boxes upwards, exact; then the nodes downwards, each rounded within its parent's box as that was rounded.
 void DualTree::make_nodes(std::vector<Box> leaves) {
     if (leaves.empty()) return;
     std::vector<std::vector<Box>> boxes;
     boxes.push_back(std::move(leaves));
-    while (boxes.size() == 1 || boxes.back().size() > 1) {
-        const std::vector<Box>& below = boxes.back();
-        std::vector<Box> level((below.size() + children - 1) / children);
-        parallel_for(level.size(), nodes_a_piece, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t node = begin; node < end; ++node) {
-                Box box = below[node * children];
-                for (std::size_t c = node * children + 1; c < std::min((node + 1) * children, below.size()); ++c) {
-                    box = {glm::min(box.low, below[c].low), glm::max(box.high, below[c].high)};
-                }
-                level[node] = box;
-            }
-        });
-        boxes.push_back(std::move(level));
-    }
+    do {
+        boxes.push_back(joined(boxes.back()));
+    } while (boxes.back().size() > 1);
     const Box& all = boxes.back().front();
-    root_ = {static_cast<std::uint32_t>(boxes.size()) - 2, 0, all.low, (all.high - all.low) * (1.000001f / 255.0f)};
-    std::vector<Place> places{root_};
     levels_.resize(boxes.size() - 1);
-    for (std::size_t level = levels_.size(); level-- > 0;) {
-        const std::vector<Box>& below = boxes[level];
-        levels_[level].resize(places.size());
-        std::vector<Place> next(below.size());
-        parallel_for(places.size(), nodes_a_piece, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t node = begin; node < end; ++node) {
-                const std::size_t count = std::min(children, below.size() - node * children);
-                levels_[level][node] = rounded(std::span(below).subspan(node * children, count), places[node]);
-                for (std::size_t c = 0; c < count; ++c) {
-                    next[node * children + c] = child_of(levels_[level][node], places[node], c);
-                }
+    root_ = {static_cast<std::uint32_t>(levels_.size()) - 1, 0, all.low, (all.high - all.low) * step_of_size};
+    std::vector<Place> places{root_};
+    for (std::size_t level = levels_.size(); level-- > 0;) round_level(level, boxes[level], places);
+}
+
+/// The boxes of the next level.
+std::vector<DualTree::Box> DualTree::joined(const std::vector<Box>& below) {
+    std::vector<Box> level((below.size() + children - 1) / children);
+    parallel_for(level.size(), nodes_a_piece, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t node = begin; node < end; ++node) {
+            Box box = below[node * children];
+            for (std::size_t c = node * children + 1; c < std::min((node + 1) * children, below.size()); ++c) {
+                box = {glm::min(box.low, below[c].low), glm::max(box.high, below[c].high)};
             }
-        });
-        places.swap(next);
-    }
+            level[node] = box;
+        }
+    });
+    return level;
+}
+
+/// Makes a level's nodes, given their places, which are replaced by those of their children.
+void DualTree::round_level(std::size_t level, const std::vector<Box>& below, std::vector<Place>& places) {
+    levels_[level].resize(places.size());
+    std::vector<Place> places_below(below.size());
+    parallel_for(places.size(), nodes_a_piece, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t node = begin; node < end; ++node) {
+            const std::size_t first = node * children, count = std::min(children, below.size() - first);
+            levels_[level][node] = rounded(std::span(below).subspan(first, count), places[node]);
+            for (std::size_t c = 0; c < count; ++c) {
+                places_below[first + c] = child_of(levels_[level][node], places[node], c);
+            }
+        }
+    });
+    places.swap(places_below);
 }
 
 DualTree::Node DualTree::rounded(std::span<const Box> boxes, const Place& place) {
@@ -139,14 +149,14 @@ DualTree::Node DualTree::rounded(std::span<const Box> boxes, const Place& place)
     for (std::size_t c = 0; c < boxes.size(); ++c) {
         for (int side = 0; side < 4; ++side) {
             const float low = place.low[side], step = place.step[side];
-            const auto height = [&](int part) { return low + static_cast<float>(part) * step; };
             const float scale = step > 0 ? 1.0f / step : 0.0f;
+            const auto value = [&](int part) { return low + static_cast<float>(part) * step; };
             int from = std::clamp(static_cast<int>((boxes[c].low[side] - low) * scale), 0, 255);
             int to = std::clamp(static_cast<int>((boxes[c].high[side] - low) * scale) + 1, 0, 255);
-            while (from > 0 && height(from) > boxes[c].low[side]) --from;
-            while (to < 255 && height(to) < boxes[c].high[side]) ++to;
-            node.low[std::size_t(side)][c] = static_cast<std::uint8_t>(from);
-            node.high[std::size_t(side)][c] = static_cast<std::uint8_t>(to);
+            while (from > 0 && value(from) > boxes[c].low[side]) --from;
+            while (to < 255 && value(to) < boxes[c].high[side]) ++to;
+            node.low[static_cast<std::size_t>(side)][c] = static_cast<std::uint8_t>(from);
+            node.high[static_cast<std::size_t>(side)][c] = static_cast<std::uint8_t>(to);
         }
     }
     return node;
@@ -155,66 +165,70 @@ DualTree::Node DualTree::rounded(std::span<const Box> boxes, const Place& place)
 DualTree::Place DualTree::child_of(const Node& node, const Place& place, std::size_t child) {
     glm::vec4 from, parts;
     for (int side = 0; side < 4; ++side) {
-        const int low = node.low[std::size_t(side)][child], high = node.high[std::size_t(side)][child];
+        const int low = node.low[static_cast<std::size_t>(side)][child];
+        const int high = node.high[static_cast<std::size_t>(side)][child];
         from[side] = static_cast<float>(low);
         parts[side] = static_cast<float>(high - low);
     }
     return {place.level - 1, static_cast<std::uint32_t>(place.node * children + child), place.low + from * place.step,
-            place.step * parts * (1.000001f / 255.0f)};
+            place.step * parts * step_of_size};
 }
 
+/// The children whose boxes the view cuts, a bit each. Of a box, the corner that lies highest and the one that lies
+/// lowest decide; both are sums of one side's height in each dimension.
 std::uint32_t DualTree::cut_children(const EyeFunction& height, const Place& place) const {
     const Node& node = levels_[place.level][place.node];
-    const float lowest = height(place.low);
     const glm::vec4 rise = place.step * height.factors();
-    std::array<float, children> under, over;
-    under.fill(lowest);
-    over.fill(lowest);
-    for (int side = 0; side < 4; ++side) {
-        const bool rises = rise[side] > 0;
-        const auto& towards = rises ? node.high[std::size_t(side)] : node.low[std::size_t(side)];
-        const auto& away = rises ? node.low[std::size_t(side)] : node.high[std::size_t(side)];
+    std::array<float, children> lowest, highest;
+    lowest.fill(height(place.low));
+    highest.fill(height(place.low));
+    for (std::size_t side = 0; side < 4; ++side) {
+        const float a_step = rise[static_cast<int>(side)];
+        const auto& upper = a_step > 0 ? node.high[side] : node.low[side];
+        const auto& lower = a_step > 0 ? node.low[side] : node.high[side];
         for (std::size_t c = 0; c < children; ++c) {
-            over[c] += rise[side] * static_cast<float>(towards[c]);
-            under[c] += rise[side] * static_cast<float>(away[c]);
+            highest[c] += a_step * static_cast<float>(upper[c]);
+            lowest[c] += a_step * static_cast<float>(lower[c]);
         }
     }
-    const std::size_t count = std::min(children, size_below(place.level) - place.node * children);
-    const float slack = EyeFunction::doubt + 4e-6f;
     std::uint32_t cut = 0;
     for (std::size_t c = 0; c < children; ++c) {
-        cut |= (under[c] > slack || over[c] < -slack ? 0u : 1u) << c;
+        const bool beside = lowest[c] > slack || highest[c] < -slack;
+        cut |= (beside ? 0u : 1u) << c;
     }
+    const std::size_t count = std::min(children, size_below(place.level) - place.node * children);
     return cut & ((1u << count) - 1);
 }
 
-void DualTree::descend(const EyeFunction& height, std::vector<Place>& places) const {
+/// Replaces nodes by those of their children, nodes too, that the view cuts.
+void DualTree::descend(const EyeFunction& height, std::vector<Place>& nodes) const {
     std::vector<Place> below;
-    below.reserve(places.size()*3);
-    for (const Place& place : places) {
+    below.reserve(2 * nodes.size());
+    for (const Place& place : nodes) {
         const Node& node = levels_[place.level][place.node];
         for (std::uint32_t cut = cut_children(height, place); cut != 0; cut &= cut - 1) {
             below.push_back(child_of(node, place, static_cast<std::size_t>(__builtin_ctz(cut))));
-            if (PF) __builtin_prefetch(&levels_[place.level - 1][below.back().node]);
+            __builtin_prefetch(&levels_[below.back().level][below.back().node]);
         }
     }
-    places.swap(below);
+    nodes.swap(below);
 }
 
-void DualTree::choose(const EyeFunction& height, std::size_t enough, std::vector<Place>& places) const {
-    places.clear();
+void DualTree::choose(const EyeFunction& height, std::size_t enough, std::vector<Place>& nodes) const {
+    nodes.clear();
     if (levels_.empty()) return;
-    places.push_back(root_);
-    while (places.size() < enough && !places.empty() && places.front().level > 0) descend(height, places);
+    nodes.push_back(root_);
+    while (nodes.size() < enough && !nodes.empty() && nodes.front().level > 0) descend(height, nodes);
 }
 
-void DualTree::append_edges(const EyeFunction& height, std::vector<Place>& places, std::vector<std::uint32_t>& edges) const {
-    while (!places.empty() && places.front().level > 0) descend(height, places);
-    for (const Place& place : places) {
+void DualTree::append_edges(const EyeFunction& height, std::vector<Place>& nodes,
+                            std::vector<std::uint32_t>& edges) const {
+    while (!nodes.empty() && nodes.front().level > 0) descend(height, nodes);
+    for (const Place& place : nodes) {
         for (std::uint32_t cut = cut_children(height, place); cut != 0; cut &= cut - 1) {
-        const std::size_t first = (place.node * children + static_cast<std::size_t>(__builtin_ctz(cut))) * edges_a_leaf;
-        const std::size_t last = std::min(first + edges_a_leaf, edges_.size());
-        edges.insert(edges.end(), edges_.begin() + std::ptrdiff_t(first), edges_.begin() + std::ptrdiff_t(last));
+            const std::size_t leaf = place.node * children + static_cast<std::size_t>(__builtin_ctz(cut));
+            const std::size_t first = leaf * edges_a_leaf, last = std::min(first + edges_a_leaf, edges_.size());
+            for (std::size_t i = first; i < last; ++i) edges.push_back(edges_[i]);
         }
     }
 }

@@ -19,12 +19,13 @@ namespace croquis::lines {
 ///
 /// Segments are sorted along a curve that fills that space, which brings those together that are of like direction and
 /// height, wherever they lie on the model. Each four make a leaf, each eight leaves or nodes a node. A node holds its
-/// children's boxes in 8 bits a side, as parts of its own box and rounded outwards: 64 bytes.
+/// children's boxes in 8 bits a side, as parts of its own box and rounded outwards: 64 bytes. All together takes less
+/// than 10 bytes a triangle.
 class DualTree {
 public:
     explicit DualTree(const Surface& surface);
 
-    /// A node whose box a view cuts.
+    /// A node, with its box.
     struct Place {
         std::uint32_t level = 0;  ///< 0: its children are leaves
         std::uint32_t node = 0;   ///< within the level
@@ -32,12 +33,14 @@ public:
         glm::vec4 step{0.0f};  ///< a 255th of its size
     };
 
-    /// Replaces `places` by nodes that hold all silhouettes: at least `enough`, if the view cuts that many.
-    void choose(const EyeFunction& height, std::size_t enough, std::vector<Place>& places) const;
+    /// Replaces `nodes` by some of one level that together hold all edges that a view may cut: at least `enough`, if
+    /// the tree has as many that it cuts.
+    void choose(const EyeFunction& height, std::size_t enough, std::vector<Place>& nodes) const;
 
-    /// Appends the edges below a node that the view may cut.
-    void append_edges(const EyeFunction& height, std::vector<Place>& places, std::vector<std::uint32_t>& edges) const;
+    /// Appends the edges below nodes of one level that the view may cut. Uses up `nodes`.
+    void append_edges(const EyeFunction& height, std::vector<Place>& nodes, std::vector<std::uint32_t>& edges) const;
 
+    /// Bytes.
     [[nodiscard]] std::size_t memory() const;
 
 private:
@@ -57,19 +60,21 @@ private:
     void sort_edges(const Surface& surface);
     [[nodiscard]] std::vector<Box> leaf_boxes(const Surface& surface) const;
     void make_nodes(std::vector<Box> leaves);
+    void round_level(std::size_t level, const std::vector<Box>& below, std::vector<Place>& places);
+    static std::vector<Box> joined(const std::vector<Box>& below);
     static Node rounded(std::span<const Box> boxes, const Place& place);
     static Place child_of(const Node& node, const Place& place, std::size_t child);
+    [[nodiscard]] std::uint32_t cut_children(const EyeFunction& height, const Place& place) const;
+    void descend(const EyeFunction& height, std::vector<Place>& nodes) const;
 
-    std::uint32_t cut_children(const EyeFunction& height, const Place& place) const;
-    void descend(const EyeFunction& height, std::vector<Place>& places) const;
-    std::size_t size_below(std::uint32_t level) const {
+    /// How many leaves, or nodes, the nodes of a level have for children.
+    [[nodiscard]] std::size_t size_below(std::size_t level) const {
         return level > 0 ? levels_[level - 1].size() : (edges_.size() + edges_a_leaf - 1) / edges_a_leaf;
     }
 
     std::vector<std::uint32_t> edges_;       // the regular ones, sorted
     std::vector<std::vector<Node>> levels_;  // the last one has one node
     Place root_;
-    float slack_ = 0;
 };
 
 }  // namespace croquis::lines

@@ -25,7 +25,7 @@ public:
 private:
     // Edges of about one angle stand together in a class, all classes of one size: to draw is to choose a class by its
     // angle, then any of its edges.
-    static constexpr std::size_t classes = 256;
+    static constexpr std::size_t classes = 64;
 
     Random random_;
     std::vector<std::uint32_t> edges_;

@@ -53,9 +53,8 @@ public:
         return height > EyeFunction::doubt || (height >= -EyeFunction::doubt && surface_.front_facing(face, view_));
     }
 
-    /// True for an edge between a face that is turned to the eye and one that is turned away.
-    [[nodiscard]] bool silhouette(std::uint32_t edge) const {
-        const FacePair& pair = surface_.pairs()[edge];
+    /// True when one face is turned to the eye and the other away.
+    [[nodiscard]] bool differ(const FacePair& pair) const {
         return differ(pair, height_(planes_[pair.first]), height_(planes_[pair.second]));
     }
 

@@ -1,4 +1,4 @@
-// Silhouettes by a hierarchy in dual space: exact for perspective and parallel views (SPEC row L5).
+// Silhouettes by a tree in dual space: exact for perspective and parallel views (SPEC row L5).
 #pragma once
 
 #include <memory>
@@ -7,10 +7,8 @@
 
 namespace croquis::lines {
 
-/// A face is the point (n, w) of its plane n · x + w = 0 in a space of four dimensions, an edge the segment between its
-/// two faces. A view is a hyperplane through the origin there: (e, 1) for an eye at e, (d, 0) for the direction d of a
-/// parallel projection. The silhouettes are the segments that it cuts. Segments are sorted into blocks that are compact
-/// in that space, with boxes over the blocks in a tree: a box beside the hyperplane holds no silhouette.
+/// Finds what the exhaustive finder finds, from the edges that a DualTree leaves over. On a smooth model these are in
+/// proportion to the root of all edges; on a noisy one to all.
 [[nodiscard]] std::unique_ptr<SilhouetteFinder> make_hierarchy_finder(const Surface& surface);
 
 }  // namespace croquis::lines

@@ -21,10 +21,10 @@ double shift_of(std::uint32_t vertex, std::uint32_t axis) {
     return static_cast<double>(bits >> 11) * 0x1.0p-52 - 1.0;
 }
 
-/// +1 where the face lies on the side of the edge where orientation(a, b, p) is negative, else -1. A face that is
-/// turned to the eye and wound along the edge lies to its left as the eye sees it, and y points down in the picture.
-int side_of(const Surface& surface, const model::Edge& edge, std::uint32_t face, const Viewpoint& view) {
-    return winds_along(surface.topology().faces[face], edge) == surface.front_facing(face, view) ? 1 : -1;
+/// Given where the vertex truly stands.
+ImagePoint moved(ImagePoint point, std::uint32_t vertex) {
+    point.position += glm::dvec2(shift_of(vertex, 0), shift_of(vertex, 1)) * (shift_share * 1000.0);
+    return point;
 }
 
 /// 1 for an edge over which the surface bends away from its outer side, -1 where it bends towards it; 0 where single
@@ -38,6 +38,16 @@ std::int8_t bend_of(const Surface& surface, const model::Edge& edge, FacePair pa
 }
 
 }  // namespace
+
+ImagePoint image_of(const Surface& surface, const Viewpoint& view, std::uint32_t vertex) {
+    return moved(view.project(surface.point(vertex)), vertex);
+}
+
+// A face that is turned to the eye and wound along the edge lies to its left as the eye sees it, and y points down in
+// the picture.
+int side_of(const Surface& surface, const model::Edge& edge, std::uint32_t face, const Viewpoint& view) {
+    return winds_along(surface.topology().faces[face], edge) == surface.front_facing(face, view) ? 1 : -1;
+}
 
 ImageEdges::ImageEdges(const Surface& surface)
     : surface_(surface), image_vertex_of_(surface.vertex_count(), no_vertex) {}
@@ -65,8 +75,7 @@ void ImageEdges::gather(const Viewpoint& view, const Features& features, std::sp
         edge.bend = bend_of(surface_, topology.edges[e], pair);
         edge.is_line = draws_silhouettes;
         edge.never_seen = mesh_hides_own_backs_[topology.faces[pair.first].mesh] &&
-                          mesh_hides_own_backs_[topology.faces[pair.second].mesh] &&
-                          edge.bend < 0;
+                          mesh_hides_own_backs_[topology.faces[pair.second].mesh] && edge.bend < 0;
         add(view, edge);
     }
     std::size_t next = 0;
@@ -134,7 +143,8 @@ void ImageEdges::add(const Viewpoint& view, ImageEdge edge) {
         } else {
             // What joins edges outside of the frame need not be known: there lines may be hidden by what was left out.
             ids[i] = static_cast<std::uint32_t>(vertices_.size());
-            vertices_.push_back({p, image[i].nearness, no_vertex});
+            const ImagePoint end = is_cut[i] ? image[i] : moved(image[i], ends[i]);
+            vertices_.push_back({end.position, end.nearness, no_vertex});
         }
     }
     edge.a = ids[0];
@@ -146,8 +156,8 @@ std::uint32_t ImageEdges::shared_vertex(std::uint32_t vertex, const ImagePoint& 
     std::uint32_t& id = image_vertex_of_[vertex];
     if (id == no_vertex) {
         id = static_cast<std::uint32_t>(vertices_.size());
-        const glm::dvec2 shift(shift_of(vertex, 0), shift_of(vertex, 1));
-        vertices_.push_back({point.position + shift * (shift_share * 1000.0), point.nearness, vertex});
+        const ImagePoint end = moved(point, vertex);
+        vertices_.push_back({end.position, end.nearness, vertex});
     }
     return id;
 }

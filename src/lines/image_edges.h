@@ -31,12 +31,19 @@ struct ImageEdge {
     /// other: 2 or -2 for a silhouette, 1 or -1 for a border, 0 for an edge that ends no surface in the picture.
     std::int8_t step = 0;
     LineClass line_class = LineClass::silhouette;
-    bool is_line = false;       ///< to be drawn; else it only hides
-    bool never_seen = false;   ///< a concave silhouette or a turned away crease of a solid: its own body hides it
+    bool is_line = false;     ///< to be drawn; else it only hides
+    bool never_seen = false;  ///< a concave silhouette or a turned away crease of a solid: its own body hides it
     /// Of a regular silhouette: 1 where it is convex, its nearer face turned to the eye (seed D calls it front facing),
     /// -1 where it is concave; 0 where that is too close to call, and for other edges.
     std::int8_t bend = 0;
 };
+
+/// A vertex of the surface in the picture, moved as ImageVertex::position is.
+[[nodiscard]] ImagePoint image_of(const Surface& surface, const Viewpoint& view, std::uint32_t vertex);
+
+/// +1 where a face lies on the side of one of its edges where orientation(first vertex, second vertex, p) is negative
+/// in the picture, else -1.
+[[nodiscard]] int side_of(const Surface& surface, const model::Edge& edge, std::uint32_t face, const Viewpoint& view);
 
 /// All edges of a view that are lines or hide, with the ends that they share.
 class ImageEdges {

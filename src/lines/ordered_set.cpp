@@ -15,11 +15,16 @@ void OrderedSet::take(std::vector<std::uint32_t>& numbers) {
     numbers.clear();
     for (std::size_t s = 0; s < summary_.size(); ++s) {
         for_each_bit(summary_[s], s << 6, [&](std::size_t w) {
-            for_each_bit(words_[w], w << 6, [&](std::size_t number) {
-                numbers.push_back(static_cast<std::uint32_t>(number));
-            });
-            words_[w] = 0;
+            for_each_bit(words_[w], w << 6,
+                         [&](std::size_t number) { numbers.push_back(static_cast<std::uint32_t>(number)); });
         });
+    }
+    clear();
+}
+
+void OrderedSet::clear() {
+    for (std::size_t s = 0; s < summary_.size(); ++s) {
+        for_each_bit(summary_[s], s << 6, [&](std::size_t w) { words_[w] = 0; });
         summary_[s] = 0;
     }
 }

@@ -20,6 +20,8 @@ public:
     /// Moves all numbers to `numbers`, in place of what stands there.
     void take(std::vector<std::uint32_t>& numbers);
 
+    void clear();
+
 private:
     std::vector<std::uint64_t> words_;    // a bit a number
     std::vector<std::uint64_t> summary_;  // a bit a word that is not zero

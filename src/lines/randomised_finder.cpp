@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <glm/geometric.hpp>
 
 #include "lines/edge_lottery.h"
@@ -11,53 +10,69 @@
 
 namespace croquis::lines {
 namespace {
-static double envd(const char*n,double d){const char*s=getenv(n);return s?atof(s):d;}
 
-/// The edges at each vertex, regular or not.
+// Measured over turning sequences (bench/finders_bench.cpp). Detecting a curve with constant probability takes draws in
+// proportion to the root of the number of edges (seed D).
+constexpr double draws_a_root = 1.0;
+constexpr double searches_a_root = 0.04;
+constexpr double first_view = 8.0;     // a view without one before it draws that many times as often
+constexpr std::size_t old_a_test = 2;  // of so many old silhouettes one is tested again
+constexpr int most_search_steps = 12;
+
+/// An edge at a vertex, with its faces: what a step over the surface looks at stands in one place.
+struct Spoke {
+    std::uint32_t edge = 0;
+    FacePair faces;
+};
+
+/// The regular edges at each vertex.
 class EdgeStars {
 public:
-    explicit EdgeStars(const Surface& surface) : starts_(surface.vertex_count() + 2, 0), edges_(2 * surface.edge_count()) {
+    explicit EdgeStars(const Surface& surface) : starts_(surface.vertex_count() + 2, 0) {
         const std::vector<model::Edge>& edges = surface.topology().edges;
-        for (const model::Edge& edge : edges) {
-            for (const std::uint32_t v : edge.vertices) ++starts_[v + 2];
+        const std::span<const FacePair> pairs = surface.pairs();
+        for (std::uint32_t e = 0; e < edges.size(); ++e) {
+            if (pairs[e].first == pairs[e].second) continue;
+            for (const std::uint32_t v : edges[e].vertices) ++starts_[v + 2];
         }
         for (std::size_t v = 2; v < starts_.size(); ++v) starts_[v] += starts_[v - 1];
+        spokes_.resize(starts_.back());
         for (std::uint32_t e = 0; e < edges.size(); ++e) {
-            for (const std::uint32_t v : edges[e].vertices) edges_[starts_[v + 1]++] = e;
+            if (pairs[e].first == pairs[e].second) continue;
+            for (const std::uint32_t v : edges[e].vertices) spokes_[starts_[v + 1]++] = {e, pairs[e]};
         }
     }
 
-    [[nodiscard]] std::span<const std::uint32_t> around(std::uint32_t vertex) const {
-        return std::span(edges_).subspan(starts_[vertex], starts_[vertex + 1] - starts_[vertex]);
+    [[nodiscard]] std::span<const Spoke> around(std::uint32_t vertex) const {
+        return std::span(spokes_).subspan(starts_[vertex], starts_[vertex + 1] - starts_[vertex]);
     }
 
 private:
-    std::vector<std::uint32_t> starts_, edges_;
+    std::vector<std::uint32_t> starts_;
+    std::vector<Spoke> spokes_;
 };
-
-static const double draws_a_root = envd("DRAWS", 2.0);
-static const double first_draws = envd("FIRST", 4.0);
-static const double searches_a_root = envd("SEARCHES", 0.1);
-static const double search_steps = envd("STEPS", 12);
 
 class RandomisedFinder final : public SilhouetteFinder {
 public:
     RandomisedFinder(const Surface& surface, std::uint64_t seed)
-        : surface_(surface), lottery_(surface, seed), stars_(surface), set_(surface.edge_count()) {}
+        : surface_(surface),
+          lottery_(surface, seed),
+          stars_(surface),
+          set_(surface.edge_count()),
+          reached_(surface.vertex_count()) {}
 
     const std::vector<std::uint32_t>& find(const Viewpoint& view) override {
         const Facing facing(surface_, view);
         const double root = std::sqrt(static_cast<double>(lottery_.size()));
         candidates_.clear();
-        candidates_ = found_;
-        const auto draws = static_cast<std::size_t>(root * draws_a_root * (found_.empty() ? first_draws : 1.0));
-        if (lottery_.size() > 0) lottery_.draw(drawn_, draws, candidates_);
-        drawn_ += draws;
-        const auto searches = std::min(static_cast<std::size_t>(root * searches_a_root), found_.size());
+        for (std::size_t i = 0; i < found_.size(); i += old_a_test) candidates_.push_back(found_[i]);
+        draw(static_cast<std::size_t>(root * draws_a_root * (found_.empty() ? first_view : 1.0)));
         hits_.clear();
         facing.append_silhouettes(candidates_, hits_);
-        for (const std::uint32_t e : hits_) trace(facing, e);
+        const std::size_t searches = std::min(static_cast<std::size_t>(root * searches_a_root), found_.size());
         for (std::size_t s = 0; s < searches; ++s) search(facing, view, found_[found_.size() * s / searches]);
+        trace(facing);
+        reached_.clear();
         set_.take(found_);
         return found_;
     }
@@ -68,67 +83,88 @@ public:
     }
 
 private:
-    [[nodiscard]] bool silhouette(const Facing& facing, std::uint32_t edge) const {
-        const FacePair& pair = surface_.pairs()[edge];
-        return facing.front(pair.first) != facing.front(pair.second);
+    void draw(std::size_t count) {
+        if (lottery_.size() > 0) lottery_.draw(drawn_, count, candidates_);
+        drawn_ += count;
     }
 
-    /// Adds the curve through a silhouette edge, with all its branches.
-    void trace(const Facing& facing, std::uint32_t edge) {
-        if (set_.has(edge)) return;
-        set_.add(edge);
-        const auto& ends = surface_.topology().edges[edge].vertices;
-        open_.assign(ends.begin(), ends.end());
-        while (!open_.empty()) {
-            const std::uint32_t vertex = open_.back();
-            open_.pop_back();
-            for (const std::uint32_t e : stars_.around(vertex)) {
-                if (set_.has(e) || !facing.silhouette(e)) continue;
-                set_.add(e);
-                const auto& [a, b] = surface_.topology().edges[e].vertices;
-                open_.push_back(a == vertex ? b : a);
+    /// Adds the curves through the hits, with all their branches. All their ends go on a step at a time, so that many
+    /// loads are under way.
+    void trace(const Facing& facing) {
+        while (!hits_.empty()) {
+            add_hits();
+            hits_.clear();
+            for (const std::uint32_t v : open_) {
+                const std::span<const Spoke> star = stars_.around(v);
+                std::size_t next = hits_.size();
+                hits_.resize(next + star.size() + 1);
+                for (const Spoke& spoke : star) {
+                    hits_[next] = spoke.edge;
+                    next += facing.differ(spoke.faces) ? 1 : 0;
+                }
+                hits_.resize(next);
+            }
+        }
+    }
+
+    /// Hits that are new join the set; vertices of theirs that are new are open.
+    void add_hits() {
+        open_.clear();
+        for (const std::uint32_t e : hits_) {
+            if (set_.has(e)) continue;
+            set_.add(e);
+            for (const std::uint32_t v : surface_.topology().edges[e].vertices) {
+                if (reached_.has(v)) continue;
+                reached_.add(v);
+                open_.push_back(v);
             }
         }
     }
 
     /// From an edge that was a silhouette in the last view and is none now: over the surface, away from the eye if the
-    /// edge is turned to it now, else towards the eye, until a silhouette is met or the bound.
+    /// edge is turned to it now, else towards the eye, until a silhouette is hit or the bound is reached (seed D).
     void search(const Facing& facing, const Viewpoint& view, std::uint32_t edge) {
-        if (set_.has(edge)) return;
-        const double sense = facing.front(surface_.pairs()[edge].first) ? -1.0 : 1.0;
-        const auto nearness = [&](std::uint32_t v) {
-            const glm::dvec3 to_eye = view.towards_eye(surface_.point(v));
-            return sense * (view.projection == model::Projection::perspective ? -glm::dot(to_eye, to_eye) : glm::dot(view.back, surface_.point(v)));
-        };
-        const auto& ends = surface_.topology().edges[edge].vertices;
-        std::uint32_t vertex = ends[0];
-        double reached = nearness(vertex);
-        for (int step = 0; step < search_steps; ++step) {
-            std::uint32_t best = vertex;
-            for (const std::uint32_t e : stars_.around(vertex)) {
-                if (facing.silhouette(e)) {
-                    trace(facing, e);
+        const FacePair& faces = surface_.pairs()[edge];
+        if (facing.differ(faces)) return;
+        const double sense = facing.front(faces.first) ? -1.0 : 1.0;
+        std::uint32_t vertex = surface_.topology().edges[edge].vertices[0];
+        double reached = sense * nearness(view, vertex);
+        for (int step = 0; step < most_search_steps; ++step) {
+            std::uint32_t next = vertex;
+            for (const Spoke& spoke : stars_.around(vertex)) {
+                if (facing.differ(spoke.faces)) {
+                    hits_.push_back(spoke.edge);
                     return;
                 }
-                const auto& [a, b] = surface_.topology().edges[e].vertices;
+                const auto& [a, b] = surface_.topology().edges[spoke.edge].vertices;
                 const std::uint32_t other = a == vertex ? b : a;
-                const double near = nearness(other);
-                if (near > reached) {
-                    reached = near;
-                    best = other;
-                }
+                const double near = sense * nearness(view, other);
+                if (near <= reached) continue;
+                reached = near;
+                next = other;
             }
-            if (best == vertex) return;
-            vertex = best;
+            if (next == vertex) return;
+            vertex = next;
         }
+    }
+
+    /// Grows towards the eye.
+    [[nodiscard]] double nearness(const Viewpoint& view, std::uint32_t vertex) const {
+        const glm::dvec3 point = surface_.point(vertex);
+        if (view.projection == model::Projection::parallel) return glm::dot(view.back, point);
+        const glm::dvec3 to_eye = view.towards_eye(point);
+        return -glm::dot(to_eye, to_eye);
     }
 
     const Surface& surface_;
     EdgeLottery lottery_;
     EdgeStars stars_;
-    OrderedSet set_;
+    OrderedSet set_, reached_;  // silhouette edges; vertices
     std::uint64_t drawn_ = 0;
-    std::vector<std::uint32_t> candidates_, hits_, around_, open_, found_;
+    std::vector<std::uint32_t> candidates_;  // edges to test first: old silhouettes and drawn ones
+    std::vector<std::uint32_t> hits_;        // silhouettes, some already in the set
+    std::vector<std::uint32_t> open_;        // vertices just reached
+    std::vector<std::uint32_t> found_;
 };
 
 }  // namespace

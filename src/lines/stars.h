@@ -12,9 +12,9 @@
 
 namespace croquis::lines {
 
-/// For each image edge, how many faces at its ends a and b hide the edge right there. A vertex where that differs between
-/// two edges is a cusp, of the plain, the border or the "exotic" kind alike; at vertices that can be none, where only
-/// differences matter, 0 stands for whatever it is.
+/// For each image edge, how many faces at its ends a and b hide the edge right there. A vertex where that differs
+/// between two edges is a cusp, of the plain, the border or the "exotic" kind alike; at vertices that can be none,
+/// where only differences matter, 0 stands for whatever it is.
 [[nodiscard]] std::vector<std::array<std::int16_t, 2>> layers_at_ends(const Surface& surface, const Viewpoint& view,
                                                                       const ImageEdges& edges);
 

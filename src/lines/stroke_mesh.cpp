@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <optional>
 
 #include "base/parallel.h"
 #include "lines/stroke_ribbon.h"
@@ -12,17 +13,13 @@ namespace {
 
 constexpr std::size_t strokes_a_piece = 128;  // of work
 
-// The texture coordinates of one stroke.
-struct TextureScale {
-    double per_pixel = 0;  // repetitions along the spine
-};
-
-TextureScale texture_scale(std::span<const StrokePoint> points, bool closed, double length, double aspect) {
+// How often the texture repeats along a pixel of the spine.
+double repeats_a_pixel(std::span<const StrokePoint> points, bool closed, double length, double aspect) {
     float widest = 0;
     for (const StrokePoint& point : points) widest = std::max(widest, point.width);
-    if (widest <= 0 || aspect <= 0 || length <= 0) return {};
+    if (widest <= 0 || aspect <= 0 || length <= 0) return 0;
     const double repeats = length / (widest * aspect);
-    return {(closed ? std::max(1.0, std::round(repeats)) : repeats) / length};
+    return (closed ? std::max(1.0, std::round(repeats)) : repeats) / length;
 }
 
 // Ribbons of some strokes.
@@ -33,30 +30,42 @@ public:
     void add(std::span<const StrokePoint> points, const Stroke& stroke, StrokeEnds ends, double aspect) {
         const std::vector<Crossbar> bars = crossbars_of(points, stroke.closed, ends);
         if (bars.empty()) return;
-        const TextureScale scale = texture_scale(points, stroke.closed, bars.back().along, aspect);
-        const auto first = static_cast<std::uint32_t>(mesh_.vertices.size());
-        for (const Crossbar& bar : bars) {
+        const double per_pixel = repeats_a_pixel(points, stroke.closed, bars.back().along, aspect);
+        std::optional<Corners> before;
+        for (std::size_t i = 0; i < bars.size(); ++i) {
+            const Crossbar& bar = bars[i];
             const StrokePoint& point = points[bar.point];
-            const auto u = static_cast<float>(bar.along * scale.per_pixel);
-            add_vertex(bar.left, point, {u, 0.5f - arm_share(bar, bar.left)});
-            add_vertex(bar.centre, point, {u, 0.5f});
-            add_vertex(bar.right, point, {u, 0.5f + arm_share(bar, bar.right)});
-        }
-        for (std::uint32_t i = 0; i + 1 < bars.size(); ++i) {
-            const std::uint32_t a = first + 3 * i, b = a + 3;
-            if (is_straight(bars[i]) && is_straight(bars[i + 1])) {
-                add_triangle(a, a + 2, b);
-                add_triangle(b, a + 2, b + 2);
-                continue;
-            }
-            for (const std::uint32_t side : {0u, 2u}) {
-                add_triangle(a + 1, a + side, b + side);
-                add_triangle(a + 1, b + side, b + 1);
-            }
+            const auto u = static_cast<float>(bar.along * per_pixel);
+            Corners corners;
+            corners.left = add_vertex(bar.left, point, {u, 0.5f - arm_share(bar, bar.left)});
+            corners.right = add_vertex(bar.right, point, {u, 0.5f + arm_share(bar, bar.right)});
+            const bool is_bent = !is_straight(bar) || (i > 0 && !is_straight(bars[i - 1])) ||
+                                 (i + 1 < bars.size() && !is_straight(bars[i + 1]));
+            if (is_bent) corners.centre = add_vertex(bar.centre, point, {u, 0.5f});
+            if (before) add_piece(*before, corners);
+            before = corners;
         }
     }
 
 private:
+    // The vertices of a crossbar. Only one whose arms, or a neighbour's, are not in line needs its centre.
+    struct Corners {
+        std::uint32_t left = 0, right = 0;
+        std::optional<std::uint32_t> centre;
+    };
+
+    void add_piece(const Corners& a, const Corners& b) {
+        if (!a.centre || !b.centre) {
+            add_triangle(a.left, a.right, b.left);
+            add_triangle(b.left, a.right, b.right);
+            return;
+        }
+        add_triangle(*a.centre, a.left, b.left);
+        add_triangle(*a.centre, b.left, *b.centre);
+        add_triangle(*a.centre, a.right, b.right);
+        add_triangle(*a.centre, b.right, *b.centre);
+    }
+
     static bool is_straight(const Crossbar& bar) {
         const glm::dvec2 off = 0.5 * (bar.left + bar.right) - bar.centre;
         return glm::dot(off, off) < 1e-12;
@@ -68,8 +77,9 @@ private:
         return static_cast<float>(std::min(0.5, glm::distance(bar.centre, tip) / (2 * bar.half_width)));
     }
 
-    void add_vertex(const glm::dvec2& position, const StrokePoint& point, const glm::vec2& texture) {
+    std::uint32_t add_vertex(const glm::dvec2& position, const StrokePoint& point, const glm::vec2& texture) {
         mesh_.vertices.push_back({glm::vec2(position), point.depth, texture, point.color});
+        return static_cast<std::uint32_t>(mesh_.vertices.size()) - 1;
     }
 
     void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
@@ -82,18 +92,38 @@ private:
     StrokeMesh& mesh_;
 };
 
-void append(const StrokeMesh& piece, StrokeMesh& mesh) {
-    const auto first_vertex = static_cast<std::uint32_t>(mesh.vertices.size());
-    const auto first_index = static_cast<std::uint32_t>(mesh.indices.size());
-    mesh.vertices.insert(mesh.vertices.end(), piece.vertices.begin(), piece.vertices.end());
-    for (const std::uint32_t index : piece.indices) mesh.indices.push_back(index + first_vertex);
-    for (const StrokeMeshPart& part : piece.parts) {
-        if (!mesh.parts.empty() && mesh.parts.back().brush == part.brush) {
-            mesh.parts.back().index_count += part.index_count;
-        } else {
-            mesh.parts.push_back({part.brush, part.first_index + first_index, part.index_count});
+void add_part(const StrokeMeshPart& part, std::vector<StrokeMeshPart>& parts) {
+    if (part.index_count == 0) return;
+    if (!parts.empty() && parts.back().brush == part.brush) {
+        parts.back().index_count += part.index_count;
+    } else {
+        parts.push_back(part);
+    }
+}
+
+StrokeMesh joined(const std::vector<StrokeMesh>& pieces) {
+    std::vector<std::size_t> first_vertex(pieces.size() + 1, 0), first_index(pieces.size() + 1, 0);
+    StrokeMesh mesh;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        first_vertex[i + 1] = first_vertex[i] + pieces[i].vertices.size();
+        first_index[i + 1] = first_index[i] + pieces[i].indices.size();
+        for (StrokeMeshPart part : pieces[i].parts) {
+            part.first_index += static_cast<std::uint32_t>(first_index[i]);
+            add_part(part, mesh.parts);
         }
     }
+    mesh.vertices.resize(first_vertex.back());
+    mesh.indices.resize(first_index.back());
+    parallel_for(pieces.size(), 4, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            std::copy(pieces[i].vertices.begin(), pieces[i].vertices.end(),
+                      mesh.vertices.begin() + static_cast<std::ptrdiff_t>(first_vertex[i]));
+            std::transform(pieces[i].indices.begin(), pieces[i].indices.end(),
+                           mesh.indices.begin() + static_cast<std::ptrdiff_t>(first_index[i]),
+                           [&](std::uint32_t index) { return index + static_cast<std::uint32_t>(first_vertex[i]); });
+        }
+    });
+    return mesh;
 }
 
 }  // namespace
@@ -112,17 +142,10 @@ StrokeMesh make_stroke_mesh(const Strokes& strokes, const TextureAspect& aspect)
             const auto first = static_cast<std::uint32_t>(piece.indices.size());
             const Brush& brush = strokes.brushes[stroke.brush];
             RibbonMaker(piece).add(strokes.points_of(stroke), stroke, brush.ends, aspects[stroke.brush]);
-            const auto added = static_cast<std::uint32_t>(piece.indices.size()) - first;
-            if (!piece.parts.empty() && piece.parts.back().brush == stroke.brush) {
-                piece.parts.back().index_count += added;
-            } else if (added > 0) {
-                piece.parts.push_back({stroke.brush, first, added});
-            }
+            add_part({stroke.brush, first, static_cast<std::uint32_t>(piece.indices.size()) - first}, piece.parts);
         }
     });
-    StrokeMesh mesh;
-    for (const StrokeMesh& piece : pieces) append(piece, mesh);
-    return mesh;
+    return joined(pieces);
 }
 
 }  // namespace croquis::lines

@@ -15,7 +15,8 @@ namespace croquis::lines {
 namespace {
 
 constexpr double steps_a_wiggle = 6;
-constexpr double shortest_step = 0.5;  // pixels of the style
+constexpr double most_overshoot = 0.25;  // of a line's length, at each end
+constexpr double shortest_step = 0.5;    // pixels of the style
 
 // Lengths of noise are in px or mm: they do not depend on the line.
 double wiggle_pixels(const Length& every, double scale) { return pixels_of(every, {scale, 1, 0}); }
@@ -62,6 +63,11 @@ void Pen::draw(std::span<const SpinePoint> points, bool closed, double class_wid
         if (!desk.spine.is_usable()) return;
         if (style_->overshoot.value > 0) overshoot(pass, measures_of(desk.spine, class_width).width, desk.spine);
         const Measures measures = measures_of(desk.spine, class_width);
+        const bool has_tapers = measures.taper_start > 0 || measures.taper_end > 0;
+        if (!style_->pattern && style_->dash.empty() && noise_step_ == 0 && !has_tapers) {
+            emit_vertices(measures, pass, line, desk.spine, out);
+            continue;
+        }
         desk.samples.clear();
         if (style_->pattern) {
             sample_offsets(measures, desk);
@@ -70,13 +76,15 @@ void Pen::draw(std::span<const SpinePoint> points, bool closed, double class_wid
         } else {
             sample(measures, desk);
         }
-        emit(measures, pass, line, desk, out);
+        emit_samples(measures, pass, line, desk, out);
     }
 }
 
 Pen::Measures Pen::measures_of(const Spine& spine, double class_width) const {
     LengthScale scale{settings_.scale, class_width, spine.length()};
     scale.width = pixels_of(style_->width, scale);  // what w means from here on
+    const double full_from = pixels_of(style_->full_width_from, scale);
+    if (spine.length() < full_from) scale.width *= spine.length() / full_from;
     Measures measures{scale.width, 0, 0, noise_step_};
     if (spine.closed()) return measures;
     measures.taper_start = pixels_of(style_->taper_start, scale);
@@ -91,7 +99,8 @@ Pen::Measures Pen::measures_of(const Spine& spine, double class_width) const {
 
 void Pen::overshoot(const Pass& pass, double width, Spine& spine) const {
     if (spine.closed()) return;
-    const double full = pixels_of(style_->overshoot, {settings_.scale, width, spine.length()});
+    const double asked = pixels_of(style_->overshoot, {settings_.scale, width, spine.length()});
+    const double full = std::min(asked, most_overshoot * spine.length());
     const auto at_end = [&](const SpinePoint& end) {
         constexpr double every = 17;  // pixels of the style: ends that far apart differ
         const double noise = pass.ends.at(end.position / (every * settings_.scale)).x;
@@ -152,26 +161,29 @@ void Pen::sample_offsets(const Measures& measures, Desk& desk) const {
     }
 }
 
-StrokePoint Pen::point_at(const Desk::Sample& sample, const Measures& measures, const Pass& pass,
-                          const Spine& spine) const {
+void Pen::displace(const SpinePoint& base, const Desk::Sample& sample, const Measures& measures, const Pass& pass,
+                   const Spine& spine, StrokePoint& point) const {
+    const double scale = settings_.scale;
+    const glm::dvec2 tangent = spine.tangent(sample.along, frame_reach * scale);
+    const glm::dvec2 normal = left_of(tangent);
+    point.position += sample.offset.x * tangent + sample.offset.y * normal;
+    const LengthScale lengths{scale, measures.width, spine.length()};
+    for (std::size_t i = 0; i < style_->wobbles.size(); ++i) {
+        const Wobble& wobble = style_->wobbles[i];
+        const glm::dvec2 noise = pass.wobbles[i].at(base.position / wiggle_pixels(wobble.every, scale));
+        point.position += pixels_of(wobble.along, lengths) * glm::dot(noise, tangent) * tangent +
+                          pixels_of(wobble.across, lengths) * glm::dot(noise, normal) * normal;
+    }
+}
+
+StrokePoint Pen::point_at(const SpinePoint& base, const Desk::Sample& sample, const Measures& measures,
+                          const Pass& pass, const Spine& spine) const {
     const StrokeStyle& style = *style_;
     const double scale = settings_.scale;
-    const SpinePoint base = spine.at(sample.along);
     StrokePoint point;
     point.position = base.position;
     point.depth = static_cast<float>(base.depth);
-    if (sample.offset != glm::dvec2(0) || !style.wobbles.empty()) {
-        const glm::dvec2 tangent = spine.tangent(sample.along, frame_reach * scale);
-        const glm::dvec2 normal = left_of(tangent);
-        point.position += sample.offset.x * tangent + sample.offset.y * normal;
-        const LengthScale lengths{scale, measures.width, spine.length()};
-        for (std::size_t i = 0; i < style.wobbles.size(); ++i) {
-            const Wobble& wobble = style.wobbles[i];
-            const glm::dvec2 noise = pass.wobbles[i].at(base.position / wiggle_pixels(wobble.every, scale));
-            point.position += pixels_of(wobble.along, lengths) * glm::dot(noise, tangent) * tangent +
-                              pixels_of(wobble.across, lengths) * glm::dot(noise, normal) * normal;
-        }
-    }
+    if (sample.offset != glm::dvec2(0) || !style.wobbles.empty()) displace(base, sample, measures, pass, spine, point);
 
     double width = measures.width;
     if (!spine.closed()) {
@@ -198,27 +210,35 @@ StrokePoint Pen::point_at(const Desk::Sample& sample, const Measures& measures, 
     return point;
 }
 
-void Pen::emit(const Measures& measures, const Pass& pass, std::uint32_t line, const Desk& desk,
-               StrokePieces& out) const {
-    const bool closed = desk.spine.closed() && !style_->pattern && style_->dash.empty();
-    const std::size_t count = desk.samples.size() - (closed ? 1 : 0);  // the first one's repetition
-    const auto end_stroke = [&] {
-        if (out.strokes.empty()) return;
-        Stroke& stroke = out.strokes.back();
-        stroke.point_count = static_cast<std::uint32_t>(out.points.size()) - stroke.first_point;
-    };
+void Pen::emit_vertices(const Measures& measures, const Pass& pass, std::uint32_t line, const Spine& spine,
+                        StrokePieces& out) const {
+    const std::size_t count = spine.vertices().size() - (spine.closed() ? 1 : 0);
+    out.strokes.push_back({line, spine.closed(), static_cast<std::uint32_t>(out.points.size()),
+                           static_cast<std::uint32_t>(count), brush_});
     for (std::size_t i = 0; i < count; ++i) {
-        StrokePoint point = point_at(desk.samples[i], measures, pass, desk.spine);
-        if (i == 0 || !desk.samples[i].joined) {
-            end_stroke();
+        const double along = spine.along()[i];
+        out.points.push_back(point_at(spine.vertices()[i], {along, {0, 0}, i > 0}, measures, pass, spine));
+        out.points.back().along = static_cast<float>(along);
+    }
+}
+
+void Pen::emit_samples(const Measures& measures, const Pass& pass, std::uint32_t line, const Desk& desk,
+                       StrokePieces& out) const {
+    const Spine& spine = desk.spine;
+    const bool closed = spine.closed() && !style_->pattern && style_->dash.empty();
+    const std::size_t count = desk.samples.size() - (closed ? 1 : 0);  // the first one's repetition
+    for (std::size_t i = 0; i < count; ++i) {
+        const Desk::Sample& sample = desk.samples[i];
+        StrokePoint point = point_at(spine.at(sample.along), sample, measures, pass, spine);
+        if (i == 0 || !sample.joined) {
             out.strokes.push_back({line, closed, static_cast<std::uint32_t>(out.points.size()), 0, brush_});
         } else {
             const StrokePoint& before = out.points.back();
             point.along = before.along + static_cast<float>(glm::distance(before.position, point.position));
         }
         out.points.push_back(point);
+        ++out.strokes.back().point_count;
     }
-    end_stroke();
 }
 
 }  // namespace croquis::lines

@@ -67,10 +67,14 @@ private:
     void sample(const Measures& measures, Desk& desk) const;
     void sample_dashes(const Measures& measures, Desk& desk) const;
     void sample_offsets(const Measures& measures, Desk& desk) const;
-    [[nodiscard]] StrokePoint point_at(const Desk::Sample& sample, const Measures& measures, const Pass& pass,
-                                       const Spine& spine) const;
-    void emit(const Measures& measures, const Pass& pass, std::uint32_t line, const Desk& desk,
-              StrokePieces& out) const;
+    [[nodiscard]] StrokePoint point_at(const SpinePoint& base, const Desk::Sample& sample, const Measures& measures,
+                                       const Pass& pass, const Spine& spine) const;
+    void displace(const SpinePoint& base, const Desk::Sample& sample, const Measures& measures, const Pass& pass,
+                  const Spine& spine, StrokePoint& point) const;
+    void emit_vertices(const Measures& measures, const Pass& pass, std::uint32_t line, const Spine& spine,
+                       StrokePieces& out) const;
+    void emit_samples(const Measures& measures, const Pass& pass, std::uint32_t line, const Desk& desk,
+                      StrokePieces& out) const;
 
     const StrokeStyle* style_;
     std::uint32_t brush_;

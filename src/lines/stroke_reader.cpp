@@ -131,6 +131,7 @@ const std::vector<Setting>& settings() {
     static const std::vector<Setting> all{
         {"help", [](Reader& r, Style& s) { s.help = r.text(); }},
         {"width", [](Reader& r, Style& s) { s.width = r.length(0, longest); }},
+        {"full_width_from", [](Reader& r, Style& s) { s.full_width_from = r.length(0, longest); }},
         {"color", read_color},
         {"opacity", [](Reader& r, Style& s) { s.opacity = static_cast<float>(r.number(0, 1)); }},
         {"ends", read_ends},

@@ -76,6 +76,7 @@ struct StrokeStyle {
     std::string help;
 
     Length width{1.0, Length::Unit::widths};
+    Length full_width_from;  ///< lines shorter than that are thinner, in proportion
     glm::vec3 color{0.0f};
     float opacity = 1;
     StrokeEnds ends = StrokeEnds::round;
@@ -83,7 +84,7 @@ struct StrokeStyle {
 
     Length taper_start, taper_end;   ///< of open lines; they never take more than the whole line together
     double taper_to = 0;             ///< width at the very end, a share of the full one
-    Length overshoot;                ///< how far open ends go on, straight
+    Length overshoot;                ///< how far open ends go on, straight; at most a quarter of the line
     double overshoot_variation = 0;  ///< share of it that differs from end to end
 
     std::optional<WidthRange> width_by_light;  ///< from where the surface is turned from the light to where it faces it

@@ -7,12 +7,14 @@
 #include <numeric>
 
 #include "base/parallel.h"
+#include "lines/stroke_corners.h"
 #include "lines/stroke_pen.h"
 
 namespace croquis::lines {
 namespace {
 
 constexpr std::size_t lines_a_piece = 128;  // of work
+constexpr double corner_reach = 4;          // pixels of the style to both sides of a corner
 constexpr double longest_line = 1e6;        // pixels from the frame's corner: no frame is as large
 
 // The order of painting: lines behind most layers first, then the least of the classes.
@@ -79,29 +81,18 @@ private:
     std::vector<Pen> pens_;
 };
 
-double turn_at(const SpinePoint& before, const SpinePoint& here, const SpinePoint& after) {
-    const glm::dvec2 in = here.position - before.position, out = after.position - here.position;
-    return std::abs(std::atan2(in.x * out.y - in.y * out.x, glm::dot(in, out)));
-}
-
 // Calls `draw(points, closed)` for the parts of a line between corners.
 template <typename Draw>
-void draw_between_corners(std::vector<SpinePoint>& points, bool closed, double angle, const Draw& draw) {
-    const auto fall_together = [](const SpinePoint& a, const SpinePoint& b) { return a.position == b.position; };
-    points.erase(std::unique(points.begin(), points.end(), fall_together), points.end());
-    if (closed && points.size() > 1 && fall_together(points.front(), points.back())) points.pop_back();
-    const std::size_t count = points.size();
-    std::vector<std::size_t> corners;
-    for (std::size_t i = closed ? 0 : 1; i + (closed ? 0 : 1) < count; ++i) {
-        if (turn_at(points[(i + count - 1) % count], points[i], points[(i + 1) % count]) > angle) corners.push_back(i);
-    }
-    if (corners.empty()) return draw(std::span<const SpinePoint>(points), closed);
-
-    if (closed) {  // begins and ends at its first corner
-        const auto first = static_cast<std::ptrdiff_t>(corners.front());
-        std::rotate(points.begin(), points.begin() + first, points.end());
+void draw_between_corners(const Spine& spine, double angle, double reach, const Draw& draw) {
+    std::vector<SpinePoint> points(spine.vertices().begin(), spine.vertices().end());
+    std::vector<std::size_t> corners = corners_of(spine, angle, reach);
+    if (corners.empty()) return draw(points, spine.closed());
+    if (spine.closed()) {  // begins and ends at its first corner
+        points.pop_back();
+        const std::size_t first = corners.front();
+        std::rotate(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(first), points.end());
         points.push_back(points.front());
-        for (std::size_t& corner : corners) corner -= static_cast<std::size_t>(first);
+        for (std::size_t& corner : corners) corner -= first;
     }
     corners.push_back(points.size() - 1);
     std::size_t begin = 0;
@@ -131,10 +122,11 @@ public:
         const auto draw = [&](std::span<const SpinePoint> part, bool closed) {
             pen.draw(part, closed, width, index, desk_, out);
         };
-        if (pen.style().corner_angle) {
-            draw_between_corners(points_, line.closed, *pen.style().corner_angle, draw);
-        } else {
-            draw(points_, line.closed);
+        if (!pen.style().corner_angle) return draw(points_, line.closed);
+        Spine whole;
+        whole.assign(points_, line.closed);
+        if (whole.is_usable()) {
+            draw_between_corners(whole, *pen.style().corner_angle, corner_reach * options_.scale, draw);
         }
     }
 

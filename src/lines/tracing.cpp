@@ -1,5 +1,6 @@
 #include "lines/tracing.h"
 
+#include <cmath>
 #include <glm/geometric.hpp>
 
 namespace croquis::lines {
@@ -7,6 +8,7 @@ namespace {
 
 /// A point this near to the straight line between its neighbours, in pixels, says nothing.
 constexpr double straight = 1e-4;
+constexpr double straight_in_depth = 1e-6;  // of the depth
 
 glm::vec3 normal_of(const Surface& surface, const ImageEdge& edge) {
     const FacePair pair = surface.pairs()[edge.edge];
@@ -15,12 +17,15 @@ glm::vec3 normal_of(const Surface& surface, const ImageEdge& edge) {
     return length > 1e-6f ? sum / length : glm::vec3(surface.planes()[pair.first]);
 }
 
-bool is_between(const LinePoint& before, const LinePoint& point, const LinePoint& after) {
+/// True when a point says nothing that its neighbours do not, in place or in depth.
+bool is_between(const ImagePoint& before, const ImagePoint& point, const ImagePoint& after) {
     const glm::dvec2 whole = after.position - before.position, part = point.position - before.position;
     const double length = glm::length(whole);
     if (!(length > 0)) return false;
-    const double along = glm::dot(whole, part) / length;
-    return along > 0 && along < length && std::abs(whole.x * part.y - whole.y * part.x) <= straight * length;
+    const double share = glm::dot(whole, part) / (length * length);
+    if (!(share > 0 && share < 1) || std::abs(whole.x * part.y - whole.y * part.x) > straight * length) return false;
+    const double nearness = before.nearness + share * (after.nearness - before.nearness);
+    return std::abs(nearness - point.nearness) <= straight_in_depth * std::abs(point.nearness);
 }
 
 }  // namespace
@@ -30,19 +35,23 @@ Drawing trace(const VisibilityTask& task, const Chains& chains, const std::vecto
     Drawing drawing{task.view.width, task.view.height, {}, {}};
     drawing.lines.reserve(chains.chains.size());
     drawing.points.reserve(chains.links.size() + chains.chains.size());
+    std::vector<ImagePoint> image;  // of the line at hand
     for (const Chains::Chain& chain : chains.chains) {
         const auto links = chains.links_of(chain);
         const ChainKey& key = keys[links[0].piece];
         Line line{key.line_class, key.mesh, key.layers, chain.closed};
         line.first_point = static_cast<std::uint32_t>(drawing.points.size());
+        image.clear();
         const auto add = [&](const ImageEdge& edge, double share) {
             const ImagePoint point = task.edges.point_at(edge, share);
             const LinePoint next{point.position, task.view.distance_of(point.nearness), normal_of(task.surface, edge)};
-            const std::size_t count = drawing.points.size() - line.first_point;
-            if (count >= 2 && is_between(drawing.points[drawing.points.size() - 2], drawing.points.back(), next)) {
+            const std::size_t count = image.size();
+            if (count >= 2 && is_between(image[count - 2], image[count - 1], point)) {
                 drawing.points.back() = next;
+                image.back() = point;
             } else {
                 drawing.points.push_back(next);
+                image.push_back(point);
             }
         };
         for (std::size_t i = 0; i < links.size(); ++i) {

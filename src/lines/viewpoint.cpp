@@ -41,6 +41,14 @@ double Viewpoint::distance_of(double nearness) const {
     return projection == model::Projection::perspective ? 1.0 / nearness : -nearness;
 }
 
+double Viewpoint::nearness_of(double distance) const {
+    return projection == model::Projection::perspective ? 1.0 / distance : -distance;
+}
+
+double Viewpoint::units_a_pixel(double nearness) const {
+    return (projection == model::Projection::perspective ? 1.0 / nearness : 1.0) / scale;
+}
+
 glm::dvec3 Viewpoint::towards_eye(const glm::dvec3& point) const {
     return projection == model::Projection::perspective ? eye - point : back;
 }

@@ -46,6 +46,12 @@ struct Viewpoint {
     /// The eye distance that a nearness stands for.
     [[nodiscard]] double distance_of(double nearness) const;
 
+    /// The nearness of an eye distance.
+    [[nodiscard]] double nearness_of(double distance) const;
+
+    /// Scene units along one pixel of the picture, at a nearness.
+    [[nodiscard]] double units_a_pixel(double nearness) const;
+
     /// From a point of scene space towards the eye; not of unit length in perspective.
     [[nodiscard]] glm::dvec3 towards_eye(const glm::dvec3& point) const;
 };

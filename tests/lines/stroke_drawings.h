@@ -1,6 +1,8 @@
 // Drawings of given polylines, for the tests of strokes.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <initializer_list>
 #include <vector>
@@ -61,6 +63,16 @@ inline double length_of(const Polyline& points) {
     double length = 0;
     for (std::size_t i = 1; i < points.size(); ++i) length += glm::distance(points[i - 1], points[i]);
     return length;
+}
+
+/// The point of a polyline at an arc length; its ends beyond them.
+inline glm::dvec2 walk(const Polyline& points, double along) {
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const double length = glm::distance(points[i - 1], points[i]);
+        if (along <= length) return points[i - 1] + (points[i] - points[i - 1]) * (std::max(along, 0.0) / length);
+        along -= length;
+    }
+    return points.back();
 }
 
 inline Polyline positions(const Strokes& strokes, const Stroke& stroke) {

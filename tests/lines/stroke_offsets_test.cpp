@@ -25,15 +25,6 @@ OffsetPattern loopy() {
         {{0, 0, 0, true}, {6, 5, 3, true}, {12, -7, 4, true}, {9, 1.5, -2, true}, {14, 0, 6, false}, {20, 0, 0, true}}};
 }
 
-glm::dvec2 walk(const Polyline& points, double along) {
-    for (std::size_t i = 1; i < points.size(); ++i) {
-        const double length = glm::distance(points[i - 1], points[i]);
-        if (along <= length) return points[i - 1] + (points[i] - points[i - 1]) * (std::max(along, 0.0) / length);
-        along -= length;
-    }
-    return points.back();
-}
-
 // The formula, with the frame that docs/strokes.md gives: the chord from 2 pixels before to 2 pixels behind.
 glm::dvec2 displaced(const Polyline& points, double along, double tangent, double normal) {
     const glm::dvec2 chord = walk(points, along + 2) - walk(points, along - 2);

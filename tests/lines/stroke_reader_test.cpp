@@ -21,7 +21,8 @@ TEST(StrokeReader, ReadsEverySetting) {
     const StrokeStyle style = read_stroke_style(
         "\xef\xbb\xbf# A comment.\r\n"
         "help All that there is. # not this\r\n"
-        "width 1.5w\n  color 0.1 0.2 0.3   # and a comment\nopacity .5\nends butt\ntexture charcoal\n"
+        "width 1.5w\nfull_width_from 3mm\n  color 0.1 0.2 0.3   # and a comment\nopacity .5\nends butt\ntexture "
+        "charcoal\n"
         "taper 10px 25%\ntaper_to 0.25\novershoot 2mm 0.5\nwidth_by_light 2 0.5\nwidth_by_depth 3 1\n"
         "vary_width 0.1 20px\nvary_opacity 0.2 30px\nvary_color 0.3 4mm\n"
         "wobble 1px 2w 40px\nwobble 3px 0px 5px\npasses 3\ncorner_angle 90\n"
@@ -31,6 +32,7 @@ TEST(StrokeReader, ReadsEverySetting) {
     using Unit = Length::Unit;
     EXPECT_EQ(style.help, "All that there is.");
     EXPECT_EQ(style.width, (Length{1.5, Unit::widths}));
+    EXPECT_EQ(style.full_width_from, (Length{3, Unit::millimetres}));
     EXPECT_EQ(style.color, glm::vec3(0.1f, 0.2f, 0.3f));
     EXPECT_EQ(style.opacity, 0.5f);
     EXPECT_EQ(style.ends, StrokeEnds::butt);

@@ -73,7 +73,7 @@ TEST(StrokeStyles, TheShippedOnesDrawEverything) {
         for (const Brush& brush : strokes.brushes) {
             if (brush.texture.empty()) continue;
             EXPECT_TRUE(
-                std::filesystem::exists(std::filesystem::path(data) / "textures/stroke" / (brush.texture + ".png")));
+                std::filesystem::exists(std::filesystem::path(data) / "textures/strokes" / (brush.texture + ".png")));
         }
     }
 }

@@ -68,12 +68,13 @@ TEST(Strokes, DashesMeasureArcLength) {
     double begin = 0;
     for (std::size_t i = 0; i < strokes.strokes.size(); ++i) {
         const double expected = std::min(i % 2 == 0 ? 12.0 : 4.0, line - begin);
-        EXPECT_NEAR(length_of(positions(strokes, strokes.strokes[i])), expected, 1e-6);
+        const Polyline dash = positions(strokes, strokes.strokes[i]);
+        EXPECT_NEAR(length_of(dash), expected, 1e-6);
+        EXPECT_NEAR(glm::distance(dash.front(), walk(wave(), begin)), 0, 1e-9);
         begin += i % 2 == 0 ? 15 : 9;
     }
     EXPECT_GT(begin, line);
     EXPECT_LE(begin - 9, line + 6);
-    EXPECT_EQ(strokes.points.front().position, wave().front());
 }
 
 TEST(Strokes, FittedDashesEndLinesWithADash) {
@@ -104,6 +105,9 @@ TEST(Strokes, OvershootGoesStraightOn) {
     const Strokes even = make_strokes(drawing_of({{100, 100}, {130, 140}}), options_of(style));
     EXPECT_NEAR(glm::distance(even.points.front().position, {94, 92}), 0, 1e-9);
     EXPECT_NEAR(glm::distance(even.points.back().position, {136, 148}), 0, 1e-9);
+
+    const Strokes brief = make_strokes(drawing_of({{100, 100}, {112, 100}}), options_of(style));
+    EXPECT_NEAR(brief.points.back().position.x, 115, 1e-9) << "at most a quarter of the line";
 
     style.overshoot_variation = 0.5;
     style.passes = 16;
@@ -198,6 +202,28 @@ TEST(Strokes, BreakAtCorners) {
     const Strokes round = make_strokes(drawing_of(circle(40, 60), true), options_of(style));
     ASSERT_EQ(round.strokes.size(), 1u);
     EXPECT_TRUE(round.strokes[0].closed);
+}
+
+TEST(Strokes, ZigzagsAndSmallCirclesHaveNoCorners) {
+    StrokeStyle style;
+    style.corner_angle = std::numbers::pi / 4;
+    Polyline zigzag;
+    for (int i = 0; i < 300; ++i) zigzag.emplace_back(20 + 0.5 * i, 100 + (i % 2) * 0.4);
+    EXPECT_EQ(make_strokes(drawing_of(zigzag), options_of(style)).strokes.size(), 1u);
+    EXPECT_EQ(make_strokes(drawing_of(circle(5, 40), true), options_of(style)).strokes.size(), 1u);
+    for (int i = 0; i < 300; ++i) zigzag.emplace_back(169.5 + (i % 2) * 0.4, 101 + 0.5 * i);  // and round a real one
+    EXPECT_EQ(make_strokes(drawing_of(zigzag), options_of(style)).strokes.size(), 2u);
+}
+
+TEST(Strokes, ShortLinesAreThinner) {
+    StrokeStyle style;
+    style.full_width_from = {50, Unit::pixels};
+    const auto width = [&](double length) {
+        return make_strokes(drawing_of({{0, 10}, {length, 10}}), options_of(style)).points[0].width;
+    };
+    EXPECT_FLOAT_EQ(width(60), 4);
+    EXPECT_FLOAT_EQ(width(50), 4);
+    EXPECT_FLOAT_EQ(width(10), 0.8f);
 }
 
 TEST(Strokes, ScaleEnlargesWidthsAndStyles) {

@@ -18,8 +18,9 @@ double share_at(const glm::dvec2& begin, const glm::dvec2& end, const glm::dvec2
 
 }  // namespace
 
-SegmentIndex::SegmentIndex(const Viewpoint& view)
+SegmentIndex::SegmentIndex(const Viewpoint& view, Depth depth)
     : view_(view),
+      depth_(depth),
       columns_(static_cast<std::size_t>(view.width / cell_size) + 1),
       rows_(static_cast<std::size_t>(view.height / cell_size) + 1),
       cells_(columns_ * rows_) {}
@@ -60,7 +61,8 @@ std::vector<SegmentIndex::Found> SegmentIndex::at(const ImagePoint& point, doubl
         const double pixels = glm::distance(nearest, point.position);
         if (pixels > reach) continue;
         const double nearness = segment.begin.nearness + (segment.end.nearness - segment.begin.nearness) * share;
-        if (std::abs(view_.distance_of(nearness) - distance) > 1e-5 * (1 + std::abs(distance))) continue;
+        const double apart = std::abs(view_.distance_of(nearness) - distance);
+        if (depth_ == Depth::compared && apart > 1e-5 * (1 + std::abs(distance))) continue;
         found.push_back({segment.id, pixels, nearness});
     }
     std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.pixels < b.pixels; });

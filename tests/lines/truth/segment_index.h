@@ -18,12 +18,14 @@ public:
         double nearness = 0;  ///< of the piece there
     };
 
-    explicit SegmentIndex(const Viewpoint& view);
+    enum class Depth : std::uint8_t { compared, ignored };
+
+    explicit SegmentIndex(const Viewpoint& view, Depth depth = Depth::compared);
 
     void add(std::uint32_t id, const ImagePoint& begin, const ImagePoint& end);
 
-    /// The pieces within `reach` pixels of a point whose eye distance there is the point's, nearest first. The reach is
-    /// at most a hundredth of a pixel.
+    /// The pieces within `reach` pixels of a point, nearest first; those of another eye distance only where depth is
+    /// ignored. The reach is at most a hundredth of a pixel.
     [[nodiscard]] std::vector<Found> at(const ImagePoint& point, double reach) const;
 
 private:
@@ -36,6 +38,7 @@ private:
     [[nodiscard]] std::size_t row_of(double y) const;
 
     Viewpoint view_;
+    Depth depth_;
     std::size_t columns_, rows_;
     std::vector<Segment> segments_;
     std::vector<std::vector<std::uint32_t>> cells_;

@@ -58,6 +58,22 @@ Viewpoint view_at(const glm::dvec3& eye, const glm::dvec3& looking, double field
     return view;
 }
 
+glm::dvec3 in_scene(const Surface& surface, const glm::dvec3& point) {
+    return model::SceneSpace::of(surface.model()).from_file(point);
+}
+
+Options exact_options(Visibility visibility) {
+    Options options;
+    options.clean = false;
+    options.hidden = true;
+    options.visibility = visibility;
+    return options;
+}
+
+Drawing draw(const SurfacePointer& surface, const Viewpoint& view, const Options& options) {
+    return Drafter(surface, options).draw(view);
+}
+
 int fewer_if_slow(int count) {
 #ifdef __SANITIZE_ADDRESS__
     return std::max(1, count / 25);

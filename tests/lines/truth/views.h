@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 #include <memory>
 
+#include "lines/drafter.h"
 #include "lines/surface.h"
 #include "lines/viewpoint.h"
 #include "support/models.h"
@@ -34,6 +35,13 @@ struct ViewOptions {
 
 /// Looks from a point of scene space, which may lie inside the model, along a direction.
 [[nodiscard]] Viewpoint view_at(const glm::dvec3& eye, const glm::dvec3& looking, double field_of_view = 1.4);
+
+/// A point of the model's file in scene space.
+[[nodiscard]] glm::dvec3 in_scene(const Surface& surface, const glm::dvec3& point);
+
+/// Lines as they are, hidden ones too, nothing cleaned.
+[[nodiscard]] Options exact_options(Visibility visibility = Visibility::automatic);
+[[nodiscard]] Drawing draw(const SurfacePointer& surface, const Viewpoint& view, const Options& options);
 
 /// Under sanitizers tests look at fewer views.
 [[nodiscard]] int fewer_if_slow(int count);

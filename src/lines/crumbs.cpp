@@ -1,0 +1,161 @@
+// Crumbs: short lines that tell nothing about the shape.
+#include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
+
+#include "base/parallel.h"
+#include "lines/cleaning.h"
+#include "lines/segment_grid.h"
+
+namespace croquis::lines {
+namespace {
+
+class DepthSteps {
+public:
+    DepthSteps(const VisibilityTask& task, const RayCaster& rays, const CleaningLimits& limits)
+        : task_(task), rays_(rays), limits_(limits) {}
+
+    /// True when nothing of the model lies close behind the outer side of a piece.
+    [[nodiscard]] bool at(const Piece& piece) const {
+        const ImageEdge& edge = task_.edges.edges()[piece.edge];
+        const glm::dvec2 along = task_.edges.vertices()[edge.b].position - task_.edges.vertices()[edge.a].position;
+        const double length = glm::length(along);
+        if (!(length > 0) || edge.step == 0) return false;
+        ImagePoint point = task_.edges.point_at(edge, 0.5 * (piece.from + piece.to));
+        constexpr double aside = 0.25;  // pixels
+        point.position += (edge.step > 0 ? aside : -aside) / length * glm::dvec2(-along.y, along.x);
+        const glm::dvec3 from = task_.view.unproject(point);
+        const glm::dvec3 away = -glm::normalize(task_.view.towards_eye(from));
+        const double reach = limits_.depth_step * task_.view.units_a_pixel(point.nearness);
+        const FacePair pair = task_.surface.pairs()[edge.edge];
+        return rays_.layers(from, from + reach * away, std::array{pair.first, pair.second}, 0.0, 1) == 0;
+    }
+
+private:
+    const VisibilityTask& task_;
+    const RayCaster& rays_;
+    const CleaningLimits& limits_;
+};
+
+double length_of(const VisibilityTask& task, const Piece& piece) {
+    const ImageEdge& edge = task.edges.edges()[piece.edge];
+    return (piece.to - piece.from) *
+           glm::distance(task.edges.vertices()[edge.a].position, task.edges.vertices()[edge.b].position);
+}
+
+/// For each chain, the length of all visible lines that hang together with it at vertices.
+std::vector<double> company_of(const VisibilityTask& task, const std::vector<Piece>& pieces, const Chains& chains,
+                               const std::vector<double>& lengths) {
+    std::vector<std::uint32_t> group(chains.chains.size());
+    for (std::uint32_t c = 0; c < group.size(); ++c) group[c] = c;
+    const auto find = [&](std::uint32_t c) {
+        while (group[c] != c) c = group[c] = group[group[c]];
+        return c;
+    };
+    std::vector<std::uint32_t> chain_at(task.edges.vertices().size(), 0xffffffffu);
+    for (std::uint32_t c = 0; c < chains.chains.size(); ++c) {
+        for (const Link& link : chains.links_of(chains.chains[c])) {
+            const Piece& piece = pieces[link.piece];
+            const ImageEdge& edge = task.edges.edges()[piece.edge];
+            for (const bool at_start : {true, false}) {
+                if (at_start ? piece.from > 0 : piece.to < 1) continue;
+                std::uint32_t& first = chain_at[at_start ? edge.a : edge.b];
+                if (first == 0xffffffffu) first = c;
+                const std::uint32_t x = find(first), y = find(c);
+                group[std::max(x, y)] = std::min(x, y);
+            }
+        }
+    }
+    std::vector<double> total(group.size(), 0), company(group.size(), 0);
+    for (std::uint32_t c = 0; c < group.size(); ++c) total[find(c)] += lengths[c];
+    for (std::uint32_t c = 0; c < group.size(); ++c) company[c] = total[find(c)];
+    return company;
+}
+
+}  // namespace
+
+std::vector<Merit> merits_of(const VisibilityTask& task, const RayCaster& rays, const CleaningLimits& limits,
+                             const std::vector<Piece>& pieces, const std::vector<ChainKey>& keys,
+                             const Chains& chains) {
+    std::vector<double> lengths(chains.chains.size(), 0);
+    for (std::size_t c = 0; c < chains.chains.size(); ++c) {
+        for (const Link& link : chains.links_of(chains.chains[c])) lengths[c] += length_of(task, pieces[link.piece]);
+    }
+    const std::vector<double> company = company_of(task, pieces, chains, lengths);
+    std::vector<Merit> merits(chains.chains.size());
+    const DepthSteps steps(task, rays, limits);
+    parallel_for(merits.size(), 8, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t c = begin; c < end; ++c) {
+            merits[c] = {lengths[c], 0, company[c]};
+            const auto links = chains.links_of(chains.chains[c]);
+            if (keys[links[0].piece].line_class == LineClass::contour) merits[c].length_with_step = lengths[c];
+            if (keys[links[0].piece].line_class != LineClass::silhouette || lengths[c] >= limits.long_line) continue;
+            for (const Link& link : links) {
+                if (steps.at(pieces[link.piece])) merits[c].length_with_step += length_of(task, pieces[link.piece]);
+            }
+        }
+    });
+    return merits;
+}
+
+namespace {
+
+bool is_crumb(LineClass line_class, const Merit& merit, const CleaningLimits& limits) {
+    if (merit.length >= limits.long_line) return false;
+    switch (line_class) {
+        case LineClass::contour:
+            return merit.length < limits.crumb && merit.company < limits.crumb;
+        case LineClass::silhouette:
+            return merit.length_with_step < 0.5 * merit.length || merit.company < limits.crumb;
+        case LineClass::tagged:
+            return false;
+        default:
+            return merit.company < limits.crumb;
+    }
+}
+
+/// True when all points of a line keep near to the points and pieces of others.
+class Shadows {
+public:
+    Shadows(const Drawing& drawing, double near) : drawing_(drawing), grid_(drawing, near), near_(near) {}
+
+    [[nodiscard]] bool covers(std::uint32_t line, const std::vector<Merit>& merits) const {
+        for (const LinePoint& point : drawing_.points_of(drawing_.lines[line])) {
+            bool covered = false;
+            grid_.visit_near(point.position, near_, [&](const SegmentGrid::Nearest& nearest) {
+                const bool longer = merits[nearest.line].length > merits[line].length;
+                covered = covered || (nearest.line != line && longer && nearest.distance <= near_);
+            });
+            if (!covered) return false;
+        }
+        return true;
+    }
+
+private:
+    const Drawing& drawing_;
+    SegmentGrid grid_;
+    double near_;
+};
+
+}  // namespace
+
+Drawing without_crumbs(const Drawing& drawing, const CleaningLimits& limits, const std::vector<Merit>& merits) {
+    const Shadows shadows(drawing, limits.shadow);
+    Drawing kept{drawing.width, drawing.height, {}, {}};
+    for (std::uint32_t l = 0; l < drawing.lines.size(); ++l) {
+        Line line = drawing.lines[l];
+        const std::span<const LinePoint> points = drawing.points_of(line);
+        if (line.visible()) {
+            if (is_crumb(line.line_class, merits[l], limits)) continue;
+            if (merits[l].length < limits.long_line && shadows.covers(l, merits)) continue;
+        } else if (merits[l].length < limits.crumb && merits[l].company < limits.crumb) {
+            continue;
+        }
+        line.first_point = static_cast<std::uint32_t>(kept.points.size());
+        kept.points.insert(kept.points.end(), points.begin(), points.end());
+        kept.lines.push_back(line);
+    }
+    return kept;
+}
+
+}  // namespace croquis::lines
