@@ -19,6 +19,11 @@ public:
     Component(const Component&) = delete;
     Component& operator=(const Component&) = delete;
 
+    /// Called for all passes of a frame before the first of them draws. Nothing happens when `render` is off.
+    void start(RenderContext& context) {
+        if (render_.value()) prepare(context);
+    }
+
     /// Draws one frame of the pass, or nothing when its `render` variable is off.
     void draw(RenderContext& context) {
         if (render_.value()) render(context);
@@ -30,6 +35,10 @@ public:
 
 protected:
     explicit Component(const Pass& pass) : pass_(pass), render_(pass.variable<bool>("render")) {}
+
+    /// The place to start work on other threads that may run while earlier passes draw (seed E, 10.5); `render` waits
+    /// for it, and is not called when an earlier pass throws. Nothing may be drawn here.
+    virtual void prepare(RenderContext& /*context*/) {}
 
     virtual void render(RenderContext& context) = 0;
 

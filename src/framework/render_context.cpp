@@ -8,8 +8,15 @@
 namespace croquis::framework {
 namespace {
 
-// A position has w = 1, a direction w = 0 and unit length.
-glm::vec4 light_in_scene(const Light& light, const model::Camera& camera) {
+// A position has w = 1, a direction w = 0.
+glm::vec4 eye_in_scene(const model::Camera& camera) {
+    if (camera.projection == model::Projection::parallel) return {glm::vec3(camera.back), 0.0f};
+    return {glm::vec3(camera.eye), 1.0f};
+}
+
+}  // namespace
+
+glm::vec4 RenderContext::light_in_scene() const {
     glm::dvec3 place = light.place;
     if (light.bound == Light::Bound::viewer) {
         place = camera.right * light.place.x + camera.up * light.place.y + camera.back * light.place.z;
@@ -17,13 +24,6 @@ glm::vec4 light_in_scene(const Light& light, const model::Camera& camera) {
     if (light.kind == Light::Kind::direction) return {glm::vec3(glm::normalize(place)), 0.0f};
     return {glm::vec3(place), 1.0f};
 }
-
-glm::vec4 eye_in_scene(const model::Camera& camera) {
-    if (camera.projection == model::Projection::parallel) return {glm::vec3(camera.back), 0.0f};
-    return {glm::vec3(camera.eye), 1.0f};
-}
-
-}  // namespace
 
 void RenderContext::clear_frame(const glm::vec3& color) const {
     if (!background) return frame.clear_color({color, 1.0f});
@@ -66,7 +66,7 @@ void RenderContext::apply(const gpu::Program& program) const {
     program.set("clip_from_scene", clip_from_eye * eye_from_scene);
     program.set("scene_from_model", scene.scene_from_model());
     program.set("eye_scene", eye_in_scene(camera));
-    program.set("light_scene", light_in_scene(light, camera));
+    program.set("light_scene", light_in_scene());
     program.set("light_color", light.color);
     program.set("near_plane", float(camera.near_plane));
     program.set("far_plane", float(camera.far_plane));

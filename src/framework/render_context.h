@@ -46,6 +46,9 @@ struct RenderContext {
     int frame_number = 0;
     double time = 0;  ///< seconds
 
+    /// The light in scene space: its position (w = 1), or the unit direction to it (w = 0).
+    [[nodiscard]] glm::vec4 light_in_scene() const;
+
     [[nodiscard]] double aspect() const { return double(frame.width()) / double(frame.height()); }
 
     /// Clears the frame's colour to the asked background, or to the technique's own colour.

@@ -110,8 +110,8 @@ void Scene::find_bounds() {
 }
 
 void Scene::set_pose(model::Pose pose) {
-    pose_ = std::move(pose);
-    upload_positions(&*pose_);
+    pose_ = std::make_shared<const model::Pose>(std::move(pose));
+    upload_positions(pose_.get());
 }
 
 void Scene::clear_pose() {

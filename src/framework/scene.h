@@ -5,7 +5,6 @@
 #include <functional>
 #include <glm/mat4x4.hpp>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,7 +37,10 @@ public:
     Scene(Resources& resources, std::shared_ptr<const model::Model> model);
 
     [[nodiscard]] const model::Model& model() const { return *model_; }
-    [[nodiscard]] const model::Pose* pose() const { return pose_ ? &*pose_ : nullptr; }
+    [[nodiscard]] const model::Pose* pose() const { return pose_.get(); }
+    /// The same to keep: whoever holds both knows whether the surface is still the one that it was. No pose: at rest.
+    [[nodiscard]] const std::shared_ptr<const model::Model>& shared_model() const { return model_; }
+    [[nodiscard]] const std::shared_ptr<const model::Pose>& shared_pose() const { return pose_; }
     [[nodiscard]] const glm::mat4& scene_from_model() const { return scene_from_model_; }
 
     /// The box of the vertices as they stand now, in scene space.
@@ -82,7 +84,7 @@ private:
 
     Resources* resources_;
     std::shared_ptr<const model::Model> model_;
-    std::optional<model::Pose> pose_;
+    std::shared_ptr<const model::Pose> pose_;
     glm::mat4 scene_from_model_;
     model::Bounds bounds_;
     std::vector<Part> parts_;  // one a mesh

@@ -61,6 +61,7 @@ void Technique::set(std::string_view pass, std::string_view variable, const Valu
 }
 
 void Technique::draw(RenderContext& context, gpu::StretchTimer* timer) {
+    for (const Step& step : steps_) step.component->start(context);
     for (const Step& step : steps_) {
         if (timer) timer->begin();
         step.component->draw(context);

@@ -75,6 +75,14 @@ void Geometry::draw() const {
     glBindVertexArray(0);
 }
 
+void Geometry::draw(std::size_t first, std::size_t count) const {
+    assert(indices_ != 0);
+    ++context_->counters().draws;
+    glBindVertexArray(array_);
+    glDrawElements(GL_TRIANGLES, GLsizei(count), GL_UNSIGNED_INT, as_offset(first * sizeof(std::uint32_t)));
+    glBindVertexArray(0);
+}
+
 FullScreenTriangle::FullScreenTriangle(Context& context) : context_(&context) {
     ++context_->counters().live_geometries;
     glGenVertexArrays(1, &array_);

@@ -43,6 +43,8 @@ public:
     void update(std::size_t buffer, std::span<const std::byte> bytes);
 
     void draw() const;
+    /// Draws a stretch of the triangles alone: `count` indices from `first` on.
+    void draw(std::size_t first, std::size_t count) const;
 
 private:
     void upload(std::span<const VertexBuffer> buffers);
