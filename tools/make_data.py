@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Make everything in data/ that is made: textures and sample models.
+"""Make everything in data/ that is made: textures, sample models and computed strokes.
 
 make_data.py [OUT]   write into OUT, or into data/ beside this folder
 make_data.py --check compare with what is there; name what differs and exit 1
@@ -16,11 +16,12 @@ import tempfile
 import make_images
 import make_models
 import make_papers
+import make_strokes
 import make_toon_maps
 from shared import read_png
 
 DATA = pathlib.Path(__file__).resolve().parent.parent / "data"
-SCRIPTS = (make_toon_maps, make_images, make_papers, make_models)
+SCRIPTS = (make_toon_maps, make_images, make_papers, make_strokes, make_models)
 
 
 def make(out):

@@ -62,6 +62,24 @@ class Pictures(unittest.TestCase):
                 self.assertTrue(0.90 < mean < 0.98, mean)
                 self.assertLess(deviation, 0.04 if path.name == "lined.png" else 0.02)
 
+    def test_stroke_textures_wrap_along_the_stroke_and_end_at_its_sides(self):
+        paths = [*TEXTURES.glob("strokes/*.png")]
+        self.assertEqual(len(paths), 2)
+        for path in paths:
+            rows = [[lightness(p) for p in row] for row in read_png(path)]
+            columns = list(zip(*rows))
+            with self.subTest(path=path.name):
+                steps = [
+                    sum(abs(a - b) for a, b in zip(column, following)) / len(column)
+                    for column, following in zip(columns, columns[1:])
+                ]
+                seam = sum(abs(a - b) for a, b in zip(columns[-1], columns[0])) / len(columns[0])
+                self.assertLessEqual(seam, max(steps) * 1.05)
+                middle = rows[len(rows) // 2]
+                self.assertLess(sum(middle) / len(middle), 0.4)
+                for row in (rows[0], rows[-1]):
+                    self.assertGreater(sum(row) / len(row), 0.75)
+
     def test_toon_maps_grow_lighter_and_keep_the_highlight_for_the_last_texel(self):
         for path in TEXTURES.glob("toon/*.png"):
             rows = read_png(path)

@@ -36,6 +36,23 @@ std::string unknown_argument(const CLI::App& program) {
     return fmt::format("unknown argument \"{}\"{}", first, suggestion(first.substr(0, first.find('=')), known));
 }
 
+// What was typed, as a shell would take it.
+std::string command_line(int argc, char** argv) {
+    std::string line = "croquis";
+    for (int i = 1; i < argc; ++i) {
+        const std::string word = argv[i];
+        line += ' ';
+        if (!word.empty() && word.find_first_of(" \t\n'\"\\$&|;<>()*?`~#!{}[]") == std::string::npos) {
+            line += word;
+            continue;
+        }
+        line += '\'';
+        for (const char c : word) line += c == '\'' ? std::string("'\\''") : std::string(1, c);
+        line += '\'';
+    }
+    return line;
+}
+
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
 int run(int argc, char** argv) {
@@ -44,6 +61,7 @@ int run(int argc, char** argv) {
     program.require_subcommand(1);
     Commands commands;
     add_render_command(program, commands);
+    add_lines_command(program, commands, command_line(argc, argv));
     add_list_command(program, commands);
     add_describe_command(program, commands);
     add_doctor_command(program, commands);
@@ -54,7 +72,8 @@ int run(int argc, char** argv) {
     } catch (const CLI::ExtrasError&) {
         return refuse(unknown_argument(program));
     } catch (const CLI::ParseError& error) {
-        if (argc < 2) return refuse("expected a command: render, list, describe or doctor; croquis --help tells more");
+        if (argc < 2)
+            return refuse("expected a command: render, lines, list, describe or doctor; croquis --help tells more");
         if (program.get_subcommands().empty() && argc >= 2) return refuse(unknown_argument(program));
         return refuse(first_line(error.what()));
     }

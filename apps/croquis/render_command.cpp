@@ -11,6 +11,7 @@
 #include "framework/data_folders.h"
 #include "parse.h"
 #include "progress.h"
+#include "view_options.h"
 
 namespace croquis::app {
 namespace {
@@ -27,18 +28,11 @@ struct RenderOptions {
     std::string technique = "cartoon";
     std::vector<std::string> settings;
     std::string size = "1024x768";
-    std::string view = "1,0.7,1";
-    double fit = 0.9;
-    std::string eye, target;
-    std::string up = "0,1,0";
-    double field_of_view = 40;
-    std::string projection = "perspective";
+    ViewOptions view;
     std::string light;
     std::string light_color = "white";
     std::string background;
     int samples = 1;
-    std::string animation;
-    double time = 0;
     std::string texture;
     std::uint64_t seed = 0;
     std::string output;
@@ -61,20 +55,7 @@ void RenderOptions::add_to(CLI::App& command) {
                        "pass.variable=value, as often as needed; croquis describe TECHNIQUE lists them");
     command.add_option("--input-dir", input_folder, "Draw every model file of a folder");
     command.add_option("--size", size, "Pixels, WIDTHxHEIGHT")->capture_default_str();
-    command
-        .add_option("--view", view,
-                    "Direction from the box's centre to the eye, X,Y,Z, or front, back, left, right, top, bottom, iso")
-        ->capture_default_str();
-    command.add_option("--fit", fit, "Share of the frame that every vertex lies within")
-        ->check(check_number)
-        ->capture_default_str();
-    command.add_option("--eye", eye, "Position of the eye, X,Y,Z, in place of --view and --fit");
-    command.add_option("--target", target, "Point looked at, X,Y,Z; the box's centre where none is named");
-    command.add_option("--up", up, "Direction that points up in the picture")->capture_default_str();
-    command.add_option("--fov", field_of_view, "Field of view of the frame's height, degrees")
-        ->check(check_number)
-        ->capture_default_str();
-    command.add_option("--projection", projection, "perspective or parallel")->capture_default_str();
+    view.add_to(command);
     command.add_option("--light", light,
                        "Direction to the light X,Y,Z in the world; viewer:X,Y,Z along the camera's right, up, back; "
                        "point:X,Y,Z a position");
@@ -84,8 +65,6 @@ void RenderOptions::add_to(CLI::App& command) {
     command.add_option("--samples", samples, "Samples a pixel: 1, 4, 9 or 16")
         ->check(check_whole_number)
         ->capture_default_str();
-    command.add_option("--animation", animation, "Name of one of the model's animations");
-    command.add_option("--time", time, "Seconds into the animation")->check(check_number)->capture_default_str();
     command.add_option("--texture", texture, "Image for all surfaces in place of the materials' own");
     command.add_option("--seed", seed, "Seed of everything random")->check(check_whole_number)->capture_default_str();
     command.add_option("--reference", reference, "Picture to compare with; exit status 1 when it differs");
@@ -101,23 +80,12 @@ DrawOptions RenderOptions::draw_options() const {
     options.width = pixels.width;
     options.height = pixels.height;
     options.samples = samples;
-    options.view.direction = parse_view(view);
-    options.view.fit = fit;
-    if (!eye.empty()) options.view.eye = parse_vector(eye, "--eye");
-    if (!target.empty()) options.view.target = parse_vector(target, "--target");
-    options.view.up = parse_vector(up, "--up");
-    options.view.field_of_view = field_of_view;
-    if (projection != "perspective" && projection != "parallel") {
-        const std::vector<std::string> known{"perspective", "parallel"};
-        fail("--projection: expected perspective or parallel, found \"{}\"{}", projection,
-             suggestion(projection, known));
-    }
-    options.view.parallel = projection == "parallel";
+    options.view = view.view();
     if (!light.empty()) options.light = parse_light(light);
     options.light.color = parse_color(light_color, "--light-color");
     if (!background.empty()) options.background = parse_background(background);
-    options.animation = animation;
-    options.time = time;
+    options.animation = view.animation;
+    options.time = view.time;
     options.seed = seed;
     return options;
 }

@@ -6,6 +6,7 @@
 
 #include "api/frame.h"
 #include "api/handles.h"
+#include "api/view_request.h"
 #include "base/error.h"
 #include "components/register.h"
 #include "gpu/state.h"
@@ -13,30 +14,6 @@
 
 namespace croquis {
 namespace {
-
-constexpr double radians_per_degree = 3.14159265358979323846 / 180.0;
-
-glm::dvec3 as_vector(const Vector3& v) { return {v[0], v[1], v[2]}; }
-
-glm::dvec3 finite(const Vector3& v, const char* expected) {
-    const glm::dvec3 vector = as_vector(v);
-    if (!std::isfinite(glm::length(vector))) fail("expected {}, found {},{},{}", expected, v[0], v[1], v[2]);
-    return vector;
-}
-
-std::optional<glm::dvec3> finite(const std::optional<Vector3>& v, const char* expected) {
-    return v ? std::optional(finite(*v, expected)) : std::nullopt;
-}
-
-model::ViewRequest view_request(const View& view) {
-    return {.direction = finite(view.direction, "the view to have a direction"),
-            .fit = view.fit,
-            .eye = finite(view.eye, "the eye at a finite distance"),
-            .target = finite(view.target, "the target at a finite distance"),
-            .up = finite(view.up, "the up vector to have a length"),
-            .field_of_view = view.field_of_view * radians_per_degree,
-            .projection = view.parallel ? model::Projection::parallel : model::Projection::perspective};
-}
 
 framework::Light light_in_scene(const Light& light, const model::Model& model) {
     using Scene = framework::Light;

@@ -6,13 +6,16 @@ import re
 import program
 from program import DATA
 
-COMMANDS = ["render", "list", "describe", "doctor"]
+COMMANDS = ["render", "lines", "list", "describe", "doctor"]
 # Options that each command's help must name.
 OPTIONS = {
     "render": ["--output", "--technique", "--set", "--size", "--view", "--eye", "--target", "--up", "--fov", "--fit",
                "--projection", "--light", "--light-color", "--background", "--samples", "--animation", "--time",
                "--texture", "--seed", "--reference", "--threshold", "--list-passes", "--input-dir", "--data", "--gl",
                "--device"],
+    "lines": ["--output", "--format", "--size", "--paper", "--landscape", "--margin", "--view", "--views", "--classes",
+              "--width", "--hidden", "--hidden-width", "--crease-angle", "--fill", "--stroke", "--plotter", "--clean",
+              "--exact", "--visibility", "--finder", "--subdivide", "--scheme", "--seed", "--timings", "--repeat"],
     "list": ["--json", "--data"],
     "describe": ["--json", "--data", "name"],
     "doctor": ["--gl", "--device"],
