@@ -1,7 +1,6 @@
 #include "lines/contours.h"
 
 #include <algorithm>
-#include <array>
 #include <glm/geometric.hpp>
 
 #include "base/parallel.h"
@@ -39,18 +38,15 @@ void cut(const VisibilityTask& task, std::vector<Piece>& pieces, std::vector<Cha
     keys = std::move(cut_keys);
 }
 
-/// True when a ray just outside of the piece meets nothing behind it.
-bool has_nothing_behind(const VisibilityTask& task, const RayCaster& rays, const Piece& piece) {
+/// True when a look past the outer side of the piece meets nothing behind it.
+bool has_nothing_behind(const VisibilityTask& task, const LayerProbe& probe, const Piece& piece) {
     const ImageEdge& edge = task.edges.edges()[piece.edge];
     const glm::dvec2 along = task.edges.vertices()[edge.b].position - task.edges.vertices()[edge.a].position;
     const double length = glm::length(along);
     if (!(length > 0) || edge.step == 0) return false;
     ImagePoint point = task.edges.point_at(edge, 0.5 * (piece.from + piece.to));
     point.position += (edge.step > 0 ? aside : -aside) / length * glm::dvec2(-along.y, along.x);
-    const glm::dvec3 from = task.view.unproject(point);
-    const glm::dvec3 away = -glm::normalize(task.view.towards_eye(from));
-    const FacePair pair = task.surface.pairs()[edge.edge];
-    return rays.layers(from, from + 4.0 * away, std::array{pair.first, pair.second}, 0.0, 1) == 0;
+    return probe.is_open_behind(edge, point);
 }
 
 /// True where the surface around a joint of two links goes on without another hiding edge.
@@ -67,7 +63,7 @@ bool is_plain_joint(const VisibilityTask& task, const std::vector<Piece>& pieces
 
 }  // namespace
 
-void find_contours(const VisibilityTask& task, const RayCaster& rays, std::vector<Piece>& pieces,
+void find_contours(const VisibilityTask& task, const LayerProbe& probe, std::vector<Piece>& pieces,
                    std::vector<ChainKey>& keys) {
     cut(task, pieces, keys);
     const Chains chains = chain_pieces(task.edges, pieces, keys);
@@ -83,7 +79,7 @@ void find_contours(const VisibilityTask& task, const RayCaster& rays, std::vecto
                 const Link longest = *std::max_element(run.begin(), run.end(), [&](const Link& x, const Link& y) {
                     return pieces[x.piece].to - pieces[x.piece].from < pieces[y.piece].to - pieces[y.piece].from;
                 });
-                if (has_nothing_behind(task, rays, pieces[longest.piece])) {
+                if (has_nothing_behind(task, probe, pieces[longest.piece])) {
                     for (const Link& link : run) keys[link.piece].line_class = LineClass::contour;
                 }
                 first = last;

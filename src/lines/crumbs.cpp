@@ -27,7 +27,7 @@ public:
         const glm::dvec3 from = task_.view.unproject(point);
         const glm::dvec3 away = -glm::normalize(task_.view.towards_eye(from));
         const double reach = limits_.depth_step * task_.view.units_a_pixel(point.nearness);
-        const FacePair pair = task_.surface.pairs()[edge.edge];
+        const FacePair pair = task_.edges.faces_of(edge);
         return rays_.layers(from, from + reach * away, std::array{pair.first, pair.second}, 0.0, 1) == 0;
     }
 

@@ -1,9 +1,11 @@
 #include "lines/cut_curves.h"
 
 #include <algorithm>
+#include <atomic>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numeric>
+#include <optional>
 #include <span>
 
 #include "base/parallel.h"
@@ -16,18 +18,27 @@ namespace {
 
 /// Up to this length, in scene units, doubtful segments between two certain ones count.
 constexpr double longest_bridge = 1e-3;
+/// Pairs of faces with overlapping boxes that are looked at. A well-made model has some 20 a face.
+constexpr std::size_t most_pairs_a_face = 256;
+constexpr std::size_t most_pairs_of_few_faces = 4'000'000;
 
-std::vector<FaceCut> find_cuts(const Surface& surface, const GeneralPosition& points, const FaceCutter& cutter) {
+/// Nothing for a tangle.
+std::optional<std::vector<FaceCut>> find_cuts(const Surface& surface, const GeneralPosition& points,
+                                              const FaceCutter& cutter) {
     const OverlapTree tree(surface.topology().faces, points);
     const std::vector<OverlapTree::NodePair> shares = tree.shares();
     std::vector<std::vector<FaceCut>> found(shares.size());
+    const std::size_t most_pairs = surface.face_count() * most_pairs_a_face + most_pairs_of_few_faces;
+    std::atomic<std::size_t> pairs = 0;
     parallel_for(shares.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             tree.visit_overlaps(shares[i], [&](std::uint32_t face, std::span<const std::uint32_t> others) {
+                if (pairs.fetch_add(others.size(), std::memory_order_relaxed) > most_pairs) return;
                 cutter.cut(face, others, found[i]);
             });
         }
     });
+    if (pairs > most_pairs) return std::nullopt;
     std::vector<FaceCut> cuts;
     for (const std::vector<FaceCut>& part : found) cuts.insert(cuts.end(), part.begin(), part.end());
     std::sort(cuts.begin(), cuts.end(), [](const FaceCut& a, const FaceCut& b) { return a.faces < b.faces; });
@@ -118,7 +129,9 @@ std::uint32_t edge_of(const Surface& surface, const CutPlace& place) {
 CutCurves find_cut_curves(const Surface& surface) {
     const GeneralPosition positions(surface);
     const FaceCutter cutter(surface, positions);
-    const std::vector<FaceCut> cuts = find_cuts(surface, positions, cutter);
+    const std::optional<std::vector<FaceCut>> found = find_cuts(surface, positions, cutter);
+    if (!found) return {{}, {}, true};
+    const std::vector<FaceCut>& cuts = *found;
     const Ends ends(cuts);
     std::vector<glm::dvec3> points;
     points.reserve(ends.places.size());

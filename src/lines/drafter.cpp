@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/log.h"
 #include "lines/chains.h"
 #include "lines/cleaning.h"
 #include "lines/contours.h"
@@ -17,6 +18,7 @@
 #include "lines/silhouette_finder.h"
 #include "lines/tracing.h"
 #include "lines/visibility.h"
+#include "lines/walk_probe.h"
 
 namespace croquis::lines {
 namespace {
@@ -38,6 +40,13 @@ private:
     std::chrono::steady_clock::time_point since_ = std::chrono::steady_clock::now();
 };
 
+/// Walks find no intersections: they take it that no sheets pass through each other.
+LineClasses findable(const Options& options) {
+    LineClasses classes = options.classes;
+    if (options.visibility == Visibility::walking) classes.remove(LineClass::intersection);
+    return classes;
+}
+
 void check(const Viewpoint& view) {
     if (!(view.width > 0 && view.height > 0 && view.width <= 1e6 && view.height <= 1e6)) {
         fail("expected a frame of up to 1000000 x 1000000 pixels, found {} x {}", view.width, view.height);
@@ -47,6 +56,12 @@ void check(const Viewpoint& view) {
     }
 }
 
+/// How one view's surface is looked at; nothing where everything counts as visible.
+struct Look {
+    std::unique_ptr<Walker> walker;
+    std::unique_ptr<LayerProbe> start, robust;
+};
+
 }  // namespace
 
 struct Drafter::State {
@@ -54,16 +69,22 @@ struct Drafter::State {
         : surface(std::move(of)),
           options(asked),
           finder(make_finder(options.finder, *surface, options.seed)),
-          features(*surface, options.classes, options.crease_angle),
+          features(*surface, findable(options), options.crease_angle),
           edges(*surface) {
-        if (options.visibility == Visibility::none || options.visibility == Visibility::walking) return;
-        rays = std::make_unique<RayCaster>(*surface);
-        piercings = std::make_unique<PiercingFinder>(*surface, *rays);
+        if (features.cuts.is_tangle) {
+            warn("expected faces that pass through few others, found a tangle; drawn without intersections");
+        }
+        if (options.visibility == Visibility::none) return;
+        if (options.visibility != Visibility::walking || options.clean) rays = std::make_unique<RayCaster>(*surface);
+        if (options.visibility != Visibility::walking) {
+            piercings = std::make_unique<PiercingFinder>(*surface, features.cuts, *rays);
+        }
     }
 
     Drawing draw(const Viewpoint& view);
     std::vector<Crossing> find_crossings(const Viewpoint& view);
-    VisibilityResult decide(const VisibilityTask& task) const;
+    Look look_at(const Viewpoint& view, std::span<const std::uint32_t> silhouettes);
+    VisibilityResult decide(const VisibilityTask& task, const Look& look) const;
     std::vector<ChainKey> keys_of(const std::vector<Piece>& pieces, const Viewpoint& view) const;
 
     std::shared_ptr<const Surface> surface;
@@ -91,12 +112,30 @@ std::vector<Crossing> Drafter::State::find_crossings(const Viewpoint& view) {
     return crossings;
 }
 
-VisibilityResult Drafter::State::decide(const VisibilityTask& task) const {
-    if (options.visibility == Visibility::none || !rays) return all_visible(task);
-    const RayProbe robust(*rays, *surface, edges, task.view, touching);
-    if (options.visibility == Visibility::ray_cast) return probed_visibility(task, robust);
-    const RayProbe start(*rays, *surface, edges, task.view, 0.0);
-    return quantitative_invisibility(task, start, robust);
+Look Drafter::State::look_at(const Viewpoint& view, std::span<const std::uint32_t> silhouettes) {
+    Look look;
+    if (options.visibility == Visibility::none) return look;
+    if (options.visibility == Visibility::walking && Walker::serves(*surface, view)) {
+        look.walker = std::make_unique<Walker>(*surface, view, edges, silhouettes);
+        look.start = std::make_unique<WalkProbe>(*look.walker, *surface, edges, view, 0.0);
+        look.robust = std::make_unique<WalkProbe>(*look.walker, *surface, edges, view, touching);
+        return look;
+    }
+    if (!rays) rays = std::make_unique<RayCaster>(*surface);
+    look.start = std::make_unique<RayProbe>(*rays, *surface, edges, view, 0.0);
+    look.robust = std::make_unique<RayProbe>(*rays, *surface, edges, view, touching);
+    return look;
+}
+
+VisibilityResult Drafter::State::decide(const VisibilityTask& task, const Look& look) const {
+    switch (options.visibility) {
+        case Visibility::none:
+            return all_visible(task);
+        case Visibility::ray_cast:
+            return probed_visibility(task, *look.robust);
+        default:
+            return quantitative_invisibility(task, *look.start, *look.robust);
+    }
 }
 
 std::vector<ChainKey> Drafter::State::keys_of(const std::vector<Piece>& pieces, const Viewpoint& view) const {
@@ -105,7 +144,7 @@ std::vector<ChainKey> Drafter::State::keys_of(const std::vector<Piece>& pieces, 
     const std::vector<model::Face>& faces = surface->topology().faces;
     for (const Piece& piece : pieces) {
         const ImageEdge& edge = edges.edges()[piece.edge];
-        const FacePair pair = surface->pairs()[edge.edge];
+        const FacePair pair = edges.faces_of(edge);
         const bool takes_second = pair.first != pair.second && faces[pair.first].mesh != faces[pair.second].mesh &&
                                   !surface->front_facing(pair.first, view);
         keys.push_back({edge.line_class, faces[takes_second ? pair.second : pair.first].mesh, piece.layers});
@@ -129,17 +168,18 @@ Drawing Drafter::State::draw(const Viewpoint& view) {
 
     const std::vector<Crossing> crossings = find_crossings(view);
     const VisibilityTask task{*surface, view, edges, crossings, options.hidden};
-    VisibilityResult result = decide(task);
+    const Look look = look_at(view, silhouettes);
+    VisibilityResult result = decide(task, look);
     report.clusters = result.clusters;
     report.start_values = result.start_values;
     report.doubtful_clusters = result.doubtful_clusters;
-    const bool cleans = options.clean && rays;
+    const bool cleans = options.clean && options.visibility != Visibility::none;
     if (cleans) close_gaps(task, *rays, limits, result.pieces);
     if (!options.hidden) std::erase_if(result.pieces, [](const Piece& piece) { return piece.layers > 0; });
     report.visibility = watch.milliseconds();
 
     std::vector<ChainKey> keys = keys_of(result.pieces, view);
-    if (rays && options.classes.has(LineClass::contour)) find_contours(task, *rays, result.pieces, keys);
+    if (look.start && options.classes.has(LineClass::contour)) find_contours(task, *look.start, result.pieces, keys);
     const Chains chains = chain_pieces(edges, result.pieces, keys);
     Drawing drawing = trace(task, chains, result.pieces, keys);
     if (cleans) {

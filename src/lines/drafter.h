@@ -15,7 +15,7 @@ namespace croquis::lines {
 enum class Visibility : std::uint8_t {
     automatic,     ///< quantitative invisibility, with ray casts where a model or view is no case for it
     quantitative,  ///< quantitative invisibility after Appel, as seed D refines it; start values by ray casts
-    walking,       ///< the same, its start values by walking over the surface: no ray is cast, no tree is built
+    walking,       ///< the same, its start values by walking over the surface; sheets must not pass through each other
     ray_cast,      ///< a ray for each piece of each line
     none,          ///< everything counts as visible
 };

@@ -63,6 +63,8 @@ Features::Features(const Surface& surface, LineClasses classes, double crease_an
     if (classes.has(LineClass::material)) append(found, surface.material_boundaries(), LineClass::material);
     found = merged(std::move(found));
 
+    if (classes.has(LineClass::intersection)) cuts = find_cut_curves(surface);
+
     std::size_t next = 0;
     for (const Feature& feature : found) {
         const FacePair pair = surface.pairs()[feature.edge];

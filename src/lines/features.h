@@ -1,10 +1,12 @@
-// The lines of a surface that do not depend on the view: creases, material boundaries, tagged edges, borders.
+// The lines of a surface that do not depend on the view: creases, material boundaries, tagged edges, borders, and
+// where faces pass through each other.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "lines/cut_curves.h"
 #include "lines/line_class.h"
 #include "lines/surface.h"
 
@@ -33,6 +35,7 @@ struct Features {
     std::vector<Feature> regular;          ///< in ascending order of edges
     std::vector<IrregularEdge> irregular;  ///< all irregular edges, in ascending order
     std::vector<std::uint32_t> irregular_faces;
+    CutCurves cuts;
 
     [[nodiscard]] std::span<const std::uint32_t> faces_of(const IrregularEdge& edge) const {
         return std::span(irregular_faces).subspan(edge.first_face, edge.face_count);

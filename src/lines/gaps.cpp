@@ -137,7 +137,7 @@ private:
         const glm::dvec3 point = task_.view.unproject(image);
         const glm::dvec3 towards = task_.view.towards_eye(point);
         const bool perspective = task_.view.projection == model::Projection::perspective;
-        const FacePair pair = task_.surface.pairs()[edge.edge];
+        const FacePair pair = task_.edges.faces_of(edge);
         return rays_.layers(point, point + towards * (perspective ? 1.0 : 4.0), std::array{pair.first, pair.second},
                             limits_.longest_gap * task_.view.units_a_pixel(image.nearness), 1) == 0;
     }

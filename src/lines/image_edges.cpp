@@ -49,17 +49,17 @@ int side_of(const Surface& surface, const model::Edge& edge, std::uint32_t face,
     return winds_along(surface.topology().faces[face], edge) == surface.front_facing(face, view) ? 1 : -1;
 }
 
-ImageEdges::ImageEdges(const Surface& surface)
-    : surface_(surface), image_vertex_of_(surface.vertex_count(), no_vertex) {}
+ImageEdges::ImageEdges(const Surface& surface) : surface_(surface) {}
 
 void ImageEdges::gather(const Viewpoint& view, const Features& features, std::span<const std::uint32_t> silhouettes,
                         LineClasses classes) {
-    for (const ImageVertex& v : vertices_) {
-        if (v.vertex != no_vertex) image_vertex_of_[v.vertex] = no_vertex;
-    }
+    for (const std::uint32_t number : shared_numbers_) image_vertex_of_[number] = no_vertex;
+    shared_numbers_.clear();
+    image_vertex_of_.resize(surface_.vertex_count() + features.cuts.nodes.size(), no_vertex);
     vertices_.clear();
     edges_.clear();
     is_whole_ = true;
+    cuts_ = &features.cuts;
     const model::Topology& topology = surface_.topology();
     const bool outside = view.projection == model::Projection::parallel || glm::length(view.eye) > 1.0;
     mesh_hides_own_backs_.assign(topology.mesh_is_solid.size(), false);
@@ -67,15 +67,34 @@ void ImageEdges::gather(const Viewpoint& view, const Features& features, std::sp
         mesh_hides_own_backs_[m] = outside && topology.mesh_is_solid[m] && !topology.mesh_is_inverted[m];
     }
     const bool draws_silhouettes = classes.has(LineClass::silhouette) || classes.has(LineClass::contour);
+    add_regular(view, features, silhouettes, draws_silhouettes);
+    add_irregular(view, features, draws_silhouettes);
+    for (std::uint32_t i = 0; i < cuts_->segments.size(); ++i) {
+        ImageEdge edge{0, 0, i};
+        edge.line_class = LineClass::intersection;
+        edge.is_line = true;
+        const auto end = [&](std::uint32_t node) {
+            return End{cuts_->nodes[node].point, static_cast<std::uint32_t>(surface_.vertex_count()) + node};
+        };
+        add(view, edge, {end(cuts_->segments[i].nodes[0]), end(cuts_->segments[i].nodes[1])});
+    }
+    connect();
+}
 
+void ImageEdges::add_regular(const Viewpoint& view, const Features& features,
+                             std::span<const std::uint32_t> silhouettes, bool draws_silhouettes) {
+    const model::Topology& topology = surface_.topology();
+    const auto within_solids = [&](FacePair pair) {
+        return mesh_hides_own_backs_[topology.faces[pair.first].mesh] &&
+               mesh_hides_own_backs_[topology.faces[pair.second].mesh];
+    };
     for (const std::uint32_t e : silhouettes) {
         const FacePair pair = surface_.pairs()[e];
         ImageEdge edge{0, 0, e};
         edge.step = static_cast<std::int8_t>(2 * side_of(surface_, topology.edges[e], pair.first, view));
         edge.bend = bend_of(surface_, topology.edges[e], pair);
         edge.is_line = draws_silhouettes;
-        edge.never_seen = mesh_hides_own_backs_[topology.faces[pair.first].mesh] &&
-                          mesh_hides_own_backs_[topology.faces[pair.second].mesh] && edge.bend < 0;
+        edge.never_seen = edge.bend < 0 && within_solids(pair);
         add(view, edge);
     }
     std::size_t next = 0;
@@ -87,16 +106,17 @@ void ImageEdges::gather(const Viewpoint& view, const Features& features, std::sp
         ImageEdge edge{0, 0, feature.edge};
         edge.line_class = feature.line_class;
         edge.is_line = true;
-        edge.never_seen = !is_silhouette && mesh_hides_own_backs_[topology.faces[pair.first].mesh] &&
-                          mesh_hides_own_backs_[topology.faces[pair.second].mesh] &&
-                          !surface_.front_facing(pair.first, view);
+        edge.never_seen = !is_silhouette && within_solids(pair) && !surface_.front_facing(pair.first, view);
         add(view, edge);
     }
+}
+
+void ImageEdges::add_irregular(const Viewpoint& view, const Features& features, bool draws_silhouettes) {
     for (const IrregularEdge& irregular : features.irregular) {
         ImageEdge edge{0, 0, irregular.edge};
         int step = 0;
         for (const std::uint32_t f : features.faces_of(irregular)) {
-            step += side_of(surface_, topology.edges[irregular.edge], f, view);
+            step += side_of(surface_, surface_.topology().edges[irregular.edge], f, view);
         }
         edge.step = static_cast<std::int8_t>(std::clamp(step, -127, 127));
         const bool is_silhouette = step != 0 && irregular.face_count > 1 && draws_silhouettes;
@@ -104,29 +124,31 @@ void ImageEdges::gather(const Viewpoint& view, const Features& features, std::sp
         edge.is_line = is_silhouette || irregular.is_feature;
         if (edge.is_line || step != 0) add(view, edge);
     }
-    connect();
 }
 
 // An edge that a feature's class draws although it is a silhouette too stands twice: once to hide, once as a line.
-void ImageEdges::add(const Viewpoint& view, ImageEdge edge) {
-    const auto& ends = surface_.topology().edges[edge.edge].vertices;
-    std::array<glm::dvec3, 2> points{surface_.point(ends[0]), surface_.point(ends[1])};
+void ImageEdges::add(const Viewpoint& view, const ImageEdge& edge) {
+    const auto& [a, b] = surface_.topology().edges[edge.edge].vertices;
+    add(view, edge, {End{surface_.point(a), a}, End{surface_.point(b), b}});
+}
+
+void ImageEdges::add(const Viewpoint& view, ImageEdge edge, std::array<End, 2> ends) {
     std::array<bool, 2> is_cut{false, false};
     if (view.projection == model::Projection::perspective) {
-        const double distance[2] = {view.eye_distance(points[0]), view.eye_distance(points[1])};
+        const double distance[2] = {view.eye_distance(ends[0].point), view.eye_distance(ends[1].point)};
         if (distance[0] < view.near_distance && distance[1] < view.near_distance) {
             is_whole_ = false;
             return;
         }
-        for (const int i : {0, 1}) {
+        for (const std::size_t i : {0u, 1u}) {
             if (distance[i] >= view.near_distance) continue;
             const double share = (view.near_distance - distance[1 - i]) / (distance[i] - distance[1 - i]);
-            points[i] = points[1 - i] + share * (points[i] - points[1 - i]);
+            ends[i].point = ends[1 - i].point + share * (ends[i].point - ends[1 - i].point);
             is_cut[i] = true;
             is_whole_ = false;
         }
     }
-    const ImagePoint image[2] = {view.project(points[0]), view.project(points[1])};
+    const ImagePoint image[2] = {view.project(ends[0].point), view.project(ends[1].point)};
     const glm::dvec2 low = glm::min(image[0].position, image[1].position);
     const glm::dvec2 high = glm::max(image[0].position, image[1].position);
     if (!(high.x >= 0 && high.y >= 0 && low.x <= view.width && low.y <= view.height)) {
@@ -134,16 +156,16 @@ void ImageEdges::add(const Viewpoint& view, ImageEdge edge) {
         return;
     }
     std::uint32_t ids[2];
-    for (const int i : {0, 1}) {
+    for (const std::size_t i : {0u, 1u}) {
         const glm::dvec2& p = image[i].position;
         const bool in_frame = p.x >= 0 && p.y >= 0 && p.x <= view.width && p.y <= view.height;
         if (!in_frame) is_whole_ = false;
         if (in_frame && !is_cut[i]) {
-            ids[i] = shared_vertex(ends[i], image[i]);
+            ids[i] = shared_vertex(ends[i].number, image[i]);
         } else {
             // What joins edges outside of the frame need not be known: there lines may be hidden by what was left out.
             ids[i] = static_cast<std::uint32_t>(vertices_.size());
-            const ImagePoint end = is_cut[i] ? image[i] : moved(image[i], ends[i]);
+            const ImagePoint end = is_cut[i] ? image[i] : moved(image[i], ends[i].number);
             vertices_.push_back({end.position, end.nearness, no_vertex});
         }
     }
@@ -152,12 +174,13 @@ void ImageEdges::add(const Viewpoint& view, ImageEdge edge) {
     edges_.push_back(edge);
 }
 
-std::uint32_t ImageEdges::shared_vertex(std::uint32_t vertex, const ImagePoint& point) {
-    std::uint32_t& id = image_vertex_of_[vertex];
+std::uint32_t ImageEdges::shared_vertex(std::uint32_t number, const ImagePoint& point) {
+    std::uint32_t& id = image_vertex_of_[number];
     if (id == no_vertex) {
         id = static_cast<std::uint32_t>(vertices_.size());
-        const ImagePoint end = moved(point, vertex);
-        vertices_.push_back({end.position, end.nearness, vertex});
+        shared_numbers_.push_back(number);
+        const ImagePoint end = moved(point, number);
+        vertices_.push_back({end.position, end.nearness, number < surface_.vertex_count() ? number : no_vertex});
     }
     return id;
 }

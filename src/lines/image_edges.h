@@ -1,6 +1,7 @@
 // The edges of one view in the picture: those that are lines, and those that hide (seed D, section 3).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <limits>
@@ -20,13 +21,13 @@ constexpr std::uint32_t no_vertex = 0xffffffffu;
 struct ImageVertex {
     glm::dvec2 position{0.0};  ///< pixels, moved by a billionth of the frame at most, so that no three ends line up
     double nearness = 0;       ///< as ImagePoint::nearness
-    std::uint32_t vertex = no_vertex;  ///< of the surface; none for an end that was cut off
+    std::uint32_t vertex = no_vertex;  ///< of the surface; none for an end that was cut off or lies within faces
 };
 
 /// A piece of a mesh edge, or of another curve on the surface, in the picture.
 struct ImageEdge {
     std::uint32_t a = 0, b = 0;  ///< image vertices
-    std::uint32_t edge = 0;      ///< of the surface
+    std::uint32_t edge = 0;      ///< of the surface; of an intersection, the segment of Features::cuts
     /// Layers of surface gained by passing behind the edge from the side where orientation(a, b, p) is positive to the
     /// other: 2 or -2 for a silhouette, 1 or -1 for a border, 0 for an edge that ends no surface in the picture.
     std::int8_t step = 0;
@@ -57,6 +58,14 @@ public:
     [[nodiscard]] const std::vector<ImageVertex>& vertices() const { return vertices_; }
     [[nodiscard]] const std::vector<ImageEdge>& edges() const { return edges_; }
 
+    /// The two faces that an edge belongs to: of an intersection, those that meet there; of an irregular edge, one of
+    /// its faces twice.
+    [[nodiscard]] FacePair faces_of(const ImageEdge& edge) const {
+        if (edge.line_class != LineClass::intersection) return surface_.pairs()[edge.edge];
+        const auto& [first, second] = cuts_->segments[edge.edge].faces;
+        return {first, second};
+    }
+
     /// The image edges at an image vertex.
     [[nodiscard]] std::span<const std::uint32_t> edges_at(std::uint32_t vertex) const {
         return std::span(around_).subspan(around_starts_[vertex], around_starts_[vertex + 1] - around_starts_[vertex]);
@@ -68,15 +77,26 @@ public:
     [[nodiscard]] ImagePoint point_at(const ImageEdge& edge, double share) const;
 
 private:
-    void add(const Viewpoint& view, ImageEdge edge);
-    [[nodiscard]] std::uint32_t shared_vertex(std::uint32_t vertex, const ImagePoint& point);
+    /// An end on the way into the picture. Numbers count the surface's vertices, then the nodes of cuts.
+    struct End {
+        glm::dvec3 point;
+        std::uint32_t number;
+    };
+    void add_regular(const Viewpoint& view, const Features& features, std::span<const std::uint32_t> silhouettes,
+                     bool draws_silhouettes);
+    void add_irregular(const Viewpoint& view, const Features& features, bool draws_silhouettes);
+    void add(const Viewpoint& view, const ImageEdge& edge);
+    void add(const Viewpoint& view, ImageEdge edge, std::array<End, 2> ends);
+    [[nodiscard]] std::uint32_t shared_vertex(std::uint32_t number, const ImagePoint& point);
     void connect();
 
     const Surface& surface_;
     std::vector<ImageVertex> vertices_;
     std::vector<ImageEdge> edges_;
     std::vector<std::uint32_t> around_starts_, around_;
-    std::vector<std::uint32_t> image_vertex_of_;  // one a vertex of the surface
+    const CutCurves* cuts_ = nullptr;             // of the view at hand
+    std::vector<std::uint32_t> image_vertex_of_;  // one a number of an end
+    std::vector<std::uint32_t> shared_numbers_;   // whose image_vertex_of_ is set
     std::vector<bool> mesh_hides_own_backs_;      // one a mesh, for the view at hand
     bool is_whole_ = true;
 };

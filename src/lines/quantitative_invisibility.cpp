@@ -1,6 +1,7 @@
 // Appel's quantitative invisibility as seed D refines it. The number of layers over a line changes where it passes
 // behind a silhouette (by two) or a border (by one), where it goes through a face (by one), and at cusps. So within a
 // cluster of connected edges all numbers follow from one, and that one is asked for only if the cluster can be visible.
+// Intersections lie within faces, connected to no edge: each of their pieces is asked for.
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -52,7 +53,9 @@ public:
     void run() {
         const auto count = static_cast<std::uint32_t>(task_.edges.edges().size());
         for (std::uint32_t e = 0; e < count; ++e) {
-            if (cluster_of_[e] == no_cluster && task_.edges.edges()[e].is_line) gather_cluster(e);
+            const ImageEdge& edge = task_.edges.edges()[e];
+            if (cluster_of_[e] != no_cluster || !edge.is_line) continue;
+            if (edge.line_class != LineClass::intersection) gather_cluster(e);
         }
     }
 
@@ -187,11 +190,12 @@ VisibilityResult quantitative_invisibility(const VisibilityTask& task, const Lay
     for (std::uint32_t e = 0; e < task.edges.edges().size(); ++e) {
         const ImageEdge& edge = task.edges.edges()[e];
         if (!edge.is_line) continue;
-        const Cluster& cluster = clusters[propagation.cluster_of(e)];
-        if (cluster.is_doubtful) {
+        const bool is_alone = propagation.cluster_of(e) == no_cluster;
+        if (is_alone || clusters[propagation.cluster_of(e)].is_doubtful) {
             probe_edge(task, propagation.crossings(), robust, e, result.pieces);
             continue;
         }
+        const Cluster& cluster = clusters[propagation.cluster_of(e)];
         propagation.visit_pieces(e, [&](Piece piece, std::int32_t number) {
             if (task.count_layers) {
                 piece.layers = static_cast<std::uint32_t>(std::max(cluster.start + number, 0));

@@ -21,7 +21,6 @@ struct Question {
     double shortest = 0;  // share of the segment that a hit must lie beyond
     std::uint32_t at_most = 0;
     std::uint32_t count = 0;
-    std::uint32_t vertex_a = 0, vertex_b = 0;
     std::vector<Piercing>* piercings = nullptr;
 };
 
@@ -51,9 +50,7 @@ void note_piercing(const RTCFilterFunctionNArguments* arguments) {
     Question& question = *reinterpret_cast<Question*>(arguments->context);
     const std::uint32_t face = RTCHitN_primID(arguments->hit, arguments->N, 0);
     arguments->valid[0] = 0;
-    for (const std::uint32_t v : question.surface->topology().faces[face].vertices) {
-        if (v == question.vertex_a || v == question.vertex_b) return;
-    }
+    if (std::find(question.excluded.begin(), question.excluded.end(), face) != question.excluded.end()) return;
     const double share = share_of_plane(question, face);
     if (share > 0.0 && share < 1.0) question.piercings->push_back({face, share});
 }
@@ -140,13 +137,13 @@ std::uint32_t RayCaster::layers(const glm::dvec3& from, const glm::dvec3& to, st
     return question.count;
 }
 
-void RayCaster::find_piercings(std::uint32_t vertex_a, std::uint32_t vertex_b, std::vector<Piercing>& found) const {
+void RayCaster::find_piercings(const glm::dvec3& from, const glm::dvec3& to, std::span<const std::uint32_t> excluded,
+                               std::vector<Piercing>& found) const {
     Question question;
     question.surface = &tree_->surface;
-    question.from = tree_->surface.point(vertex_a);
-    question.to = tree_->surface.point(vertex_b);
-    question.vertex_a = vertex_a;
-    question.vertex_b = vertex_b;
+    question.from = from;
+    question.to = to;
+    question.excluded = excluded;
     question.piercings = &found;
     const auto begin = static_cast<std::ptrdiff_t>(found.size());
     cast(tree_->scene, question, note_piercing);

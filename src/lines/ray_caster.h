@@ -32,9 +32,10 @@ public:
                                        std::span<const std::uint32_t> excluded, double tolerance,
                                        std::uint32_t at_most) const;
 
-    /// The faces that an edge between two vertices passes through, except those that hold one of the two; in the order
-    /// of their shares. Appends to `found`.
-    void find_piercings(std::uint32_t vertex_a, std::uint32_t vertex_b, std::vector<Piercing>& found) const;
+    /// The faces that a segment passes through, but for `excluded` ones, in the order of their shares. Appends to
+    /// `found`.
+    void find_piercings(const glm::dvec3& from, const glm::dvec3& to, std::span<const std::uint32_t> excluded,
+                        std::vector<Piercing>& found) const;
 
 private:
     struct Tree;

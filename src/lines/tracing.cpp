@@ -10,8 +10,7 @@ namespace {
 constexpr double straight = 1e-4;
 constexpr double straight_in_depth = 1e-6;  // of the depth
 
-glm::vec3 normal_of(const Surface& surface, const ImageEdge& edge) {
-    const FacePair pair = surface.pairs()[edge.edge];
+glm::vec3 normal_of(const Surface& surface, FacePair pair) {
     const glm::vec3 sum = glm::vec3(surface.planes()[pair.first]) + glm::vec3(surface.planes()[pair.second]);
     const float length = glm::length(sum);
     return length > 1e-6f ? sum / length : glm::vec3(surface.planes()[pair.first]);
@@ -44,7 +43,8 @@ Drawing trace(const VisibilityTask& task, const Chains& chains, const std::vecto
         image.clear();
         const auto add = [&](const ImageEdge& edge, double share) {
             const ImagePoint point = task.edges.point_at(edge, share);
-            const LinePoint next{point.position, task.view.distance_of(point.nearness), normal_of(task.surface, edge)};
+            const LinePoint next{point.position, task.view.distance_of(point.nearness),
+                                 normal_of(task.surface, task.edges.faces_of(edge))};
             const std::size_t count = image.size();
             if (count >= 2 && is_between(image[count - 2], image[count - 1], point)) {
                 drawing.points.back() = next;

@@ -18,7 +18,7 @@ std::uint32_t RayProbe::layers(const ImageEdge& edge, double share, std::uint32_
     const glm::dvec3 point = view_.unproject(edges_.point_at(edge, share));
     const bool perspective = view_.projection == model::Projection::perspective;
     const glm::dvec3 eye = perspective ? view_.eye : point + view_.back * 4.0;
-    const FacePair pair = surface_.pairs()[edge.edge];
+    const FacePair pair = edges_.faces_of(edge);
     if (pair.first != pair.second) {
         return rays_.layers(point, eye, std::array{pair.first, pair.second}, tolerance_, at_most);
     }
@@ -29,6 +29,13 @@ std::uint32_t RayProbe::layers(const ImageEdge& edge, double share, std::uint32_
         if (v[0] == b || v[1] == b || v[2] == b) faces.push_back(f);
     }
     return rays_.layers(point, eye, faces, tolerance_, at_most);
+}
+
+bool RayProbe::is_open_behind(const ImageEdge& edge, const ImagePoint& beside) const {
+    const glm::dvec3 from = view_.unproject(beside);
+    const glm::dvec3 away = -glm::normalize(view_.towards_eye(from));
+    const FacePair pair = edges_.faces_of(edge);
+    return rays_.layers(from, from + 4.0 * away, std::array{pair.first, pair.second}, 0.0, 1) == 0;
 }
 
 Interval frame_interval(const Viewpoint& view, const ImageEdges& edges, const ImageEdge& edge) {
@@ -67,11 +74,16 @@ void append_piece(std::vector<Piece>& pieces, const Piece& piece) {
     pieces.push_back(piece);
 }
 
+/// What is shorter in the picture, in pixels, is noise of the crossings and no piece of its own.
+constexpr double shortest_piece = 1e-6;
+
 void probe_edge(const VisibilityTask& task, const CrossingsByEdge& crossings, const LayerProbe& probe,
                 std::uint32_t image_edge, std::vector<Piece>& pieces) {
     const ImageEdge& edge = task.edges.edges()[image_edge];
     const Interval inside = frame_interval(task.view, task.edges, edge);
     double from = inside.from;
+    const double length = glm::distance(task.edges.vertices()[edge.a].position, task.edges.vertices()[edge.b].position);
+    const double shortest = shortest_piece / std::max(length, shortest_piece);
     const auto close = [&](double to) {
         to = std::clamp(to, inside.from, inside.to);
         if (!(from < to)) return;
@@ -80,7 +92,8 @@ void probe_edge(const VisibilityTask& task, const CrossingsByEdge& crossings, co
         from = to;
     };
     for (const Crossing& crossing : crossings.of(image_edge)) {
-        if (crossing.gain != 0 || crossing.is_doubtful) close(crossing.share);
+        const bool is_inside = crossing.share - from > shortest && inside.to - crossing.share > shortest;
+        if (is_inside && (crossing.gain != 0 || crossing.is_doubtful)) close(crossing.share);
     }
     close(inside.to);
 }

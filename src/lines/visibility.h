@@ -21,7 +21,7 @@ struct Piece {
     std::uint32_t layers = 0;
 };
 
-/// Counts the layers over one point of a line by looking at the surface itself.
+/// Looks at the surface itself: what lies over one point of a line, what behind it.
 class LayerProbe {
 public:
     virtual ~LayerProbe() = default;
@@ -29,6 +29,9 @@ public:
     /// Layers between the eye and the point at a share of an edge, not counting the faces of that edge, up to
     /// `at_most`. May be asked by several threads at once.
     [[nodiscard]] virtual std::uint32_t layers(const ImageEdge& edge, double share, std::uint32_t at_most) const = 0;
+
+    /// True where nothing but the edge's own faces lies behind a point beside a visible part of it.
+    [[nodiscard]] virtual bool is_open_behind(const ImageEdge& edge, const ImagePoint& beside) const = 0;
 };
 
 /// Asks a ray caster. Surfaces within `tolerance` (scene units) of the point hide nothing.
@@ -37,6 +40,7 @@ public:
     RayProbe(const RayCaster& rays, const Surface& surface, const ImageEdges& edges, const Viewpoint& view,
              double tolerance);
     [[nodiscard]] std::uint32_t layers(const ImageEdge& edge, double share, std::uint32_t at_most) const override;
+    [[nodiscard]] bool is_open_behind(const ImageEdge& edge, const ImagePoint& beside) const override;
 
 private:
     const RayCaster& rays_;

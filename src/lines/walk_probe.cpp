@@ -280,4 +280,12 @@ std::uint32_t WalkProbe::layers(const ImageEdge& edge, double share, std::uint32
     return walker_.walk(aim).layers;
 }
 
+bool WalkProbe::is_open_behind(const ImageEdge& edge, const ImagePoint& beside) const {
+    Walker::Aim aim;
+    aim.position = beside.position;
+    aim.own_edge = surface_.topology().edges[edge.edge].vertices;
+    aim.at_most = 1;
+    return walker_.walk(aim).layers == 0;
+}
+
 }  // namespace croquis::lines

@@ -98,6 +98,7 @@ public:
     WalkProbe(const Walker& walker, const Surface& surface, const ImageEdges& edges, const Viewpoint& view,
               double tolerance);
     [[nodiscard]] std::uint32_t layers(const ImageEdge& edge, double share, std::uint32_t at_most) const override;
+    [[nodiscard]] bool is_open_behind(const ImageEdge& edge, const ImagePoint& beside) const override;
 
 private:
     const Walker& walker_;

@@ -23,6 +23,7 @@ struct Family {
     const char* name;
     int views;
     std::vector<Corners> (*meshes)();
+    bool meets_itself = false;  ///< sheets pass through each other, which walks take not to be
 };
 
 std::string name_of(const ::testing::TestParamInfo<Family>& info) { return info.param.name; }
@@ -58,8 +59,10 @@ TEST_P(VisibilityOf, AgreesWithBruteForce) {
     const Family& family = GetParam();
     const SurfacePointer surface = surface_of(family.meshes());
     const SurfaceTruth surface_truth(surface, Options{}.crease_angle);
+    std::vector<Way> asked(std::begin(ways), std::end(ways));
+    if (family.meets_itself) std::erase_if(asked, [](const Way& w) { return w.visibility == Visibility::walking; });
     std::vector<Drafter> drafters;
-    for (const Way& way : ways) drafters.emplace_back(surface, exact(way));
+    for (const Way& way : asked) drafters.emplace_back(surface, exact(way));
     std::vector<Agreement> sums(drafters.size());
     const int views = fewer_if_slow(family.views);
     for (int v = 0; v < views; ++v) {
@@ -67,7 +70,7 @@ TEST_P(VisibilityOf, AgreesWithBruteForce) {
         const ViewTruth truth(surface_truth, view);
         for (std::size_t w = 0; w < drafters.size(); ++w) {
             const Drawing drawing = drafters[w].draw(view);
-            Agreement agreement = compare(truth, drawing, ways[w].hidden, {6, static_cast<std::uint64_t>(v)});
+            Agreement agreement = compare(truth, drawing, asked[w].hidden, {6, static_cast<std::uint64_t>(v)});
             for (std::string& example : agreement.examples) example = fmt::format("view {}: {}", v, example);
             sums[w] += agreement;
         }
@@ -75,9 +78,9 @@ TEST_P(VisibilityOf, AgreesWithBruteForce) {
     for (std::size_t w = 0; w < drafters.size(); ++w) {
         const Agreement& sum = sums[w];
         EXPECT_GT(sum.expected, 0.0);
-        EXPECT_LT(sum.skipped, 2e-3 * (sum.expected + sum.drawn)) << ways[w].name;
-        EXPECT_GE(sum.share(), 0.999) << family.name << ", " << ways[w].name << ": " << sum.summary();
-        EXPECT_LT(sum.farthest, 1e-6) << ways[w].name;
+        EXPECT_LT(sum.skipped, 2e-3 * (sum.expected + sum.drawn)) << asked[w].name;
+        EXPECT_GE(sum.share(), 0.999) << family.name << ", " << asked[w].name << ": " << sum.summary();
+        EXPECT_LT(sum.farthest, 1e-6) << asked[w].name;
     }
 }
 
@@ -179,15 +182,16 @@ INSTANTIATE_TEST_SUITE_P(Open, VisibilityOf,
 
 INSTANTIATE_TEST_SUITE_P(Several, VisibilityOf,
                          ::testing::Values(Family{"shell_with_ball", 30, shell_with_ball}, Family{"chain", 30, chain},
-                                           Family{"bodies_in_one_mesh", 30, three_bodies}),
+                                           Family{"bodies_in_one_mesh", 30, three_bodies, true}),
                          name_of);
 
-INSTANTIATE_TEST_SUITE_P(
-    Intersecting, VisibilityOf,
-    ::testing::Values(Family{"spheres", 20, [] { return two_spheres(4); }},
-                      Family{"spheres_in_one_mesh", 20, [] { return Meshes{joined(two_spheres(3))}; }},
-                      Family{"boxes", 60, three_boxes}, Family{"boards", 60, boards}, Family{"tori", 20, two_tori}),
-    name_of);
+INSTANTIATE_TEST_SUITE_P(Intersecting, VisibilityOf,
+                         ::testing::Values(Family{"spheres", 20, [] { return two_spheres(4); }, true},
+                                           Family{"spheres_in_one_mesh", 20,
+                                                  [] { return Meshes{joined(two_spheres(3))}; }, true},
+                                           Family{"boxes", 60, three_boxes, true}, Family{"boards", 60, boards, true},
+                                           Family{"tori", 20, two_tori, true}),
+                         name_of);
 
 }  // namespace
 }  // namespace croquis::lines
