@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 """Make the generated pages and the pictures of docs/ from what the program says of itself.
 
-make_docs.py --croquis PROGRAM          write docs/techniques.md and docs/pictures/
-make_docs.py --croquis PROGRAM --check  compare the page with what is there, look that each picture that a page shows
-                                        exists and that no other does; name what differs and exit 1
+make_docs.py --croquis PROGRAM          write docs/techniques.md, docs/pictures/ and the pictures of docs/gallery/
+make_docs.py --croquis PROGRAM --check  compare the page and the gallery with what is there, look that each picture that
+                                        a page shows exists and that no other does; name what differs and exit 1
 """
 
 import argparse
@@ -16,6 +16,7 @@ import tempfile
 
 from PIL import Image, ImageDraw
 
+import make_gallery
 from contact_sheet import Drawing, render_all, save_whole, size_of
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
@@ -249,6 +250,10 @@ def write(program, text, names):
     with tempfile.TemporaryDirectory() as folder:
         draw_techniques(program, names, pathlib.Path(folder))
         draw_wide(program, pathlib.Path(folder))
+    try:
+        make_gallery.write(program.path)
+    except make_gallery.GalleryError as error:
+        sys.exit(f"make_docs: {error}")
     (DOCS / "techniques.md").write_text(text, encoding="utf-8")
 
 
@@ -265,7 +270,7 @@ def main():
     if not asked.check:
         write(program, text, [technique["name"] for technique in techniques])
         return 0
-    complaints = check(text)
+    complaints = check(text) + make_gallery.check(program.path)
     for complaint in complaints:
         print(complaint)
     return 1 if complaints else 0

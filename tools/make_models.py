@@ -6,15 +6,19 @@ sphere            5120 nearly equal triangles, normals and texture coordinates
 torus_knot        one closed surface that occludes itself
 teapot            the classic (see teapot.py), four objects
 scene             a still life of named objects and coloured materials
+bearing           a machine part: creases, chamfers, roundings and holes (see machine_parts.py)
+pipes             two parts that pass through each other
 
 make_models.py --sphere TRIANGLES OUT.obj writes a sphere of exactly that many triangles
-(an even number from 20) for benchmarks.
+(an even number from 20) for benchmarks; make_models.py --scan OUT.obj a bracket of 66,056
+triangles as a scanner sees it, with noise.
 """
 
 import argparse
 import math
 import sys
 
+from machine_parts import BEARING_MATERIALS, PIPE_MATERIALS, bearing, pipes, scanned_bracket
 from meshes import (
     Mesh, Welder, cross, dot, resting, subtract, surface, transformed, unit, write_obj,
 )
@@ -347,12 +351,20 @@ def make(out):
     write_obj(models / "torus_knot.obj", "A trefoil knot", [torus_knot()], KNOT_MATERIALS)
     write_obj(models / "teapot.obj", "Martin Newell's teapot, 1975", teapot(), TEAPOT_MATERIALS)
     write_obj(models / "scene.obj", "A still life", scene(), SCENE_MATERIALS)
+    write_obj(models / "bearing.obj", "A bearing block, millimetres", bearing(), BEARING_MATERIALS)
+    write_obj(models / "pipes.obj", "Two pipes through each other, millimetres", pipes(), PIPE_MATERIALS)
 
 
 def main():
-    parser = argparse.ArgumentParser(description="Write a sphere for benchmarks.")
-    parser.add_argument("--sphere", nargs=2, metavar=("TRIANGLES", "OUT.obj"), required=True)
-    triangles, path = parser.parse_args().sphere
+    parser = argparse.ArgumentParser(description="Write a sphere for benchmarks, or a scan.")
+    model = parser.add_mutually_exclusive_group(required=True)
+    model.add_argument("--sphere", nargs=2, metavar=("TRIANGLES", "OUT.obj"))
+    model.add_argument("--scan", metavar="OUT.obj")
+    asked = parser.parse_args()
+    if asked.scan:
+        write_obj(asked.scan, "A bracket as a scanner sees it, millimetres", scanned_bracket())
+        return
+    triangles, path = asked.sphere
     try:
         write_obj(path, f"A sphere of {triangles} triangles", [sphere(int(triangles))])
     except ValueError as error:

@@ -11,6 +11,7 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
+import machine_parts
 import make_models
 import meshes
 import teapot
@@ -96,6 +97,27 @@ class Pictures(unittest.TestCase):
         self.assertEqual(min(TEXTURES.glob("images/*")).name, "checker.png")
 
 
+def bearing_volume():
+    """Of machine_parts.bearing() in cubic millimetres, its curves as true circles."""
+    def cone(first, second, height):
+        return math.pi / 3 * height * (first**2 + first * second + second**2)
+
+    corner = 1 - math.pi / 4  # of a square that a quarter of a circle leaves
+    feet = 2 * 88 * 16 - 2 * corner * 4**2 - 3 * (60 + 54) / 2
+    half_angle = math.asin(9 / 44)
+    cap = 44**2 * (half_angle - math.sin(2 * half_angle) / 2)  # what the pad's rectangle cuts off the circle
+    pad = 18 * (96 - 50 - 44 * math.cos(half_angle)) - cap
+    arch = 2 * 44 * (50 - 16) + math.pi / 2 * 44**2 + 2 * corner * 8**2 + pad
+    foot_slot = (math.pi * 5.5**2 + 4 * 6 * 5.5) * 14.5 + cone(7, 5.5, 1.5) + 12 * 12.5 * 1.5
+    grease = cone(4, 3, 1) + math.pi * 3**2 * 9 + math.pi * 3**2 * 1.7 / 3
+    # A quarter of a circle of radius 4 round the boss leaves corner * 16, its centroid so far from the corner (Pappus).
+    centroid = 4 * (10 - 3 * math.pi) / (12 - 3 * math.pi)
+    boss = math.pi * 36**2 * 8.5 + cone(36, 34.5, 1.5) + corner * 16 * math.tau * (36 + centroid)
+    bore = math.pi * 20**2 * 51 + 2 * cone(20, 21.5, 1.5) + 2 * math.pi * 26**2 * 5
+    screws = 6 * (math.pi * 2.4**2 * 10 + math.pi * 2.4**2 * 1.4 / 3)
+    return 44 * (feet + arch) - 2 * foot_slot - grease + 2 * boss - bore - screws
+
+
 class Models(unittest.TestCase):
     def check(self, mesh, euler, loops):
         found = meshes.topology(mesh)
@@ -112,6 +134,23 @@ class Models(unittest.TestCase):
             for mesh in meshes.read_obj(MODELS / f"{name}.obj"):
                 with self.subTest(mesh=mesh.name):
                     self.check(mesh, euler, 0)
+
+    def test_machine_parts(self):
+        """Closed; the block has three ways through it, each pipe one."""
+        for name, eulers in (("bearing", (-4,)), ("pipes", (0, 0))):
+            for mesh, euler in zip(meshes.read_obj(MODELS / f"{name}.obj"), eulers, strict=True):
+                with self.subTest(mesh=mesh.name):
+                    self.check(mesh, euler, 0)
+
+    def test_bearing_fills_its_volume(self):
+        """Against the volumes of the bodies that it is made of, in closed form."""
+        block, = meshes.read_obj(MODELS / "bearing.obj")
+        self.assertAlmostEqual(meshes.topology(block).volume, bearing_volume(), delta=5e-4 * bearing_volume())
+
+    def test_scan_is_closed_and_noisy(self):
+        bracket, = machine_parts.scanned_bracket()
+        self.check(bracket, 2, 0)
+        self.assertEqual(len(bracket.faces), 66056)
 
     def test_every_object_of_the_scene_is_closed(self):
         for mesh in meshes.read_obj(MODELS / "scene.obj"):

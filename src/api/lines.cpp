@@ -131,6 +131,7 @@ LineDrawing draw_lines(const Model& model, const LineOptions& options) {
     state->mesh_names = mesh_names_of(*source);
     state->file_units = model::SceneSpace::of(*source).radius;
     state->seed = options.seed;
+    state->is_clean = options.clean;
     state->report.triangles = state->surface->face_count();
     state->report.lines = state->drawing.lines.size();
     for (const lines::Line& line : state->drawing.lines) state->report.points += line.point_count;

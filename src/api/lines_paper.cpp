@@ -117,7 +117,7 @@ output::VectorGroup white_area(const FoundLines& found, const PlacedView& view, 
     group.ink = output::Ink{.kind = output::Ink::Kind::fill, .width = 0, .color = glm::vec4(1.0f)};
     std::vector<output::Ring> rings = output::covered_area(*found.surface, view.viewpoint);
     place(rings, view, sheet);
-    if (!rings.empty()) group.paths.push_back({std::move(rings), std::nullopt});
+    if (!rings.empty()) group.paths.push_back({std::move(rings), {}, std::nullopt});
     return group;
 }
 
@@ -167,7 +167,7 @@ output::VectorGroup region_areas(const FoundLines& found, const PlacedView& view
         group.ink =
             output::Ink{.kind = output::Ink::Kind::fill, .width = 0, .color = color_of(model, model.meshes[mesh])};
         place(regions[mesh], view, sheet);
-        group.paths.push_back({std::move(regions[mesh]), std::nullopt});
+        group.paths.push_back({std::move(regions[mesh]), {}, std::nullopt});
         all.groups.push_back(std::move(group));
     }
     return all;
@@ -194,14 +194,15 @@ output::VectorPage page_of(const FoundLines& found, const InkOptions& ink) {
                                                 found.drawing.width, found.drawing.height);
     const lines::Strokes strokes = strokes_of(found, ink, sheet);
     const std::vector<std::string> views = found.view_names();
-    const output::DrawnLines drawn{.drawing = found.drawing,
-                                   .strokes = strokes,
-                                   .meshes = found.mesh_names,
-                                   .views = views,
-                                   .view_of_line = found.view_of_line,
-                                   .hidden = ink.hidden == InkOptions::Hidden::styled
-                                                 ? output::DrawnLines::Hidden::by_layers
-                                                 : output::DrawnLines::Hidden::as_one};
+    const output::DrawnLines drawn{
+        .drawing = found.drawing,
+        .strokes = strokes,
+        .meshes = found.mesh_names,
+        .views = views,
+        .view_of_line = found.view_of_line,
+        .hidden = ink.hidden == InkOptions::Hidden::styled ? output::DrawnLines::Hidden::by_layers
+                                                           : output::DrawnLines::Hidden::as_one,
+        .spines = found.is_clean ? output::DrawnLines::Spines::curves : output::DrawnLines::Spines::polylines};
     output::VectorPage page;
     page.width = sheet.width;
     page.height = sheet.height;

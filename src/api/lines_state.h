@@ -20,6 +20,7 @@ struct FoundLines {
     std::vector<std::string> mesh_names;
     double file_units = 1;  ///< to a scene unit
     std::uint64_t seed = 0;
+    bool is_clean = true;  ///< as an illustrator would draw it; else exactly the visible edges
     LineReport report;
 
     /// The names of the views of a sheet; empty for one view.

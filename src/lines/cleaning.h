@@ -10,8 +10,12 @@
 
 namespace croquis::lines {
 
-/// All in pixels of the frame, so that a larger drawing keeps more detail.
+/// All in pixels. Those of length grow with frames over 1,024 pixels: a drawing printed more finely tells no more, but
+/// nothing below a dozen pixels can be told.
 struct CleaningLimits {
+    /// For the shorter side of a frame.
+    explicit CleaningLimits(double frame);
+
     double longest_gap = 3;    ///< of a curve that its own surface hides for a moment
     double crumb = 12;         ///< shorter lines that stand alone go
     double long_line = 48;     ///< lines as long as this stay, whatever they show
@@ -20,8 +24,9 @@ struct CleaningLimits {
     double longest_spur = 14;  ///< what a line may run on beyond the place where another takes over
     double joint_depth = 40;   ///< how far apart in depth joined lines may lie
     double shadow = 2.5;       ///< short lines go that keep this near to another one
-    double smoothing = 0.5;    ///< how far a point may move
-    double detail = 0.12;      ///< points that change a line by less are left out
+    // These do not grow.
+    double smoothing = 0.5;  ///< how far a point may move
+    double detail = 0.12;    ///< points that change a line by less are left out
 };
 
 /// What speaks for keeping a line.
@@ -50,7 +55,7 @@ void close_gaps(const VisibilityTask& task, const RayCaster& rays, const Cleanin
 [[nodiscard]] Drawing without_crumbs(const Drawing& drawing, const CleaningLimits& limits,
                                      const std::vector<Merit>& merits);
 
-/// Takes zigzags out of lines, then points that say nothing. Sharp corners between long edges stay.
+/// Takes zigzags out of lines, then points that say nothing. Corners between long edges stay.
 [[nodiscard]] Drawing smoothed(const Drawing& drawing, const CleaningLimits& limits);
 
 }  // namespace croquis::lines

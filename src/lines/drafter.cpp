@@ -155,7 +155,7 @@ std::vector<ChainKey> Drafter::State::keys_of(const std::vector<Piece>& pieces, 
 Drawing Drafter::State::draw(const Viewpoint& view) {
     check(view);
     report = {};
-    const CleaningLimits limits;
+    const CleaningLimits limits(std::min(view.width, view.height));
     StopWatch watch;
     const std::vector<std::uint32_t>& silhouettes = finder->find(view);
     edges.gather(view, features, silhouettes, options.classes);

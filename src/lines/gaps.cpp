@@ -151,6 +151,14 @@ private:
 
 }  // namespace
 
+CleaningLimits::CleaningLimits(double frame) {
+    const double factor = std::max(1.0, frame / 1024);
+    for (double* length :
+         {&longest_gap, &crumb, &long_line, &depth_step, &reach, &longest_spur, &joint_depth, &shadow}) {
+        *length *= factor;
+    }
+}
+
 void close_gaps(const VisibilityTask& task, const RayCaster& rays, const CleaningLimits& limits,
                 std::vector<Piece>& pieces) {
     GapCloser(task, rays, limits, pieces).run();

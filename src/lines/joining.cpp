@@ -13,6 +13,8 @@ namespace {
 constexpr std::uint32_t none = 0xffffffffu;
 constexpr double smallest_cosine = 0.6;
 constexpr double look_back = 5;  // pixels of a line that tell where it is heading
+/// Lines that lie apart pass into each other over this many times their distance to each side.
+constexpr double passage = 1.5;
 
 /// End 2 l is the start of line l, 2 l + 1 its end.
 struct Joint {
@@ -20,6 +22,7 @@ struct Joint {
     std::uint32_t end = 0;    ///< an end that goes on as another line
     std::uint32_t other = 0;  ///< the end of that line which is cut off
     double spur = 0;          ///< pixels cut off there
+    double apart = 0;         ///< pixels
 };
 
 class Joiner {
@@ -93,7 +96,12 @@ private:
             if (!free || !enough_left) continue;
             partner_[joint.end] = joint.other;
             partner_[joint.other] = joint.end;
-            cut_[joint.other] = joint.spur;
+            const auto shortened = [&](std::uint32_t one, double spur) {
+                const double left = length(one / 2) - cut_[one ^ 1u] - spur;
+                return spur + std::min(passage * joint.apart, 0.3 * std::max(left, 0.0));
+            };
+            cut_[joint.end] = shortened(joint.end, 0);
+            cut_[joint.other] = shortened(joint.other, joint.spur);
         }
     }
 
@@ -114,7 +122,8 @@ private:
                 const double depth =
                     std::abs(there.depth - here.depth) / view_.units_a_pixel(view_.nearness_of(here.depth));
                 if (cosine < smallest_cosine || depth > limits_.joint_depth) continue;
-                joints.push_back({nearest.distance + 0.3 * spur + 4.0 * (1.0 - cosine), end, other, spur});
+                joints.push_back(
+                    {nearest.distance + 0.3 * spur + 4.0 * (1.0 - cosine), end, other, spur, nearest.distance});
             }
         });
     }

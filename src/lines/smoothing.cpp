@@ -9,8 +9,7 @@ namespace croquis::lines {
 namespace {
 
 constexpr double window = 4;     // pixels to each side over which places are averaged
-constexpr double long_edge = 8;  // pixels: a turn between two such edges is a corner of the model
-constexpr double corner_cosine = 0.866;
+constexpr double long_edge = 8;  // pixels: where two such edges meet is a corner of the model, no zigzag
 
 /// One line as places by arc length. A closed one starts at its first point, which stays.
 class Curve {
@@ -47,7 +46,7 @@ private:
     std::vector<glm::dvec2> sum_;
 };
 
-/// Corners that must stay: ends, and sharp turns between long edges.
+/// Corners that must stay: ends, and where long edges meet.
 std::vector<bool> corners_of(std::span<const LinePoint> points, bool closed) {
     const std::size_t count = points.size();
     std::vector<bool> is_corner(count, false);
@@ -56,10 +55,9 @@ std::vector<bool> corners_of(std::span<const LinePoint> points, bool closed) {
             is_corner[i] = true;
             continue;
         }
-        const glm::dvec2 before = points[i].position - points[(i + count - 1) % count].position;
-        const glm::dvec2 after = points[(i + 1) % count].position - points[i].position;
-        const double a = glm::length(before), b = glm::length(after);
-        is_corner[i] = a >= long_edge && b >= long_edge && glm::dot(before, after) < corner_cosine * a * b;
+        const glm::dvec2& here = points[i].position;
+        is_corner[i] = glm::distance(here, points[(i + count - 1) % count].position) >= long_edge &&
+                       glm::distance(here, points[(i + 1) % count].position) >= long_edge;
     }
     return is_corner;
 }

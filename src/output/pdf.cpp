@@ -34,14 +34,30 @@ void apply(cairo_t* cairo, const Ink& ink) {
     cairo_set_line_cap(cairo, ink.round_ends ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT);
 }
 
+void lay(cairo_t* cairo, const Ring& ring) {
+    for (std::size_t i = 0; i < ring.points.size(); ++i) {
+        (i == 0 ? cairo_move_to : cairo_line_to)(cairo, ring.points[i].x, ring.points[i].y);
+    }
+    if (ring.closed) cairo_close_path(cairo);
+}
+
+void lay(cairo_t* cairo, const Curve& curve) {
+    cairo_move_to(cairo, curve.start.x, curve.start.y);
+    for (const CurvePiece& piece : curve.pieces) {
+        if (piece.kind == CurvePiece::Kind::straight) {
+            cairo_line_to(cairo, piece.end.x, piece.end.y);
+        } else {
+            cairo_curve_to(cairo, piece.leaving.x, piece.leaving.y, piece.arriving.x, piece.arriving.y, piece.end.x,
+                           piece.end.y);
+        }
+    }
+    if (curve.closed) cairo_close_path(cairo);
+}
+
 void draw(cairo_t* cairo, const VectorPath& path, const Ink& ink) {
     apply(cairo, ink);
-    for (const Ring& ring : path.rings) {
-        for (std::size_t i = 0; i < ring.points.size(); ++i) {
-            (i == 0 ? cairo_move_to : cairo_line_to)(cairo, ring.points[i].x, ring.points[i].y);
-        }
-        if (ring.closed) cairo_close_path(cairo);
-    }
+    for (const Ring& ring : path.rings) lay(cairo, ring);
+    for (const Curve& curve : path.curves) lay(cairo, curve);
     if (ink.kind == Ink::Kind::fill) {
         cairo_fill(cairo);
     } else {

@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstdlib>
 
 namespace croquis::output {
 namespace {
@@ -52,6 +55,62 @@ std::string color_text(const glm::vec4& color) {
     return is_short ? fmt::format("#{:x}{:x}{:x}", red / 17, green / 17, blue / 17)
                     : fmt::format("#{:02x}{:02x}{:02x}", red, green, blue);
 }
+
+/// Writes one subpath: points relative to the one before, which is shortest. They are differences of rounded places, so
+/// that no error adds up.
+class PathData {
+public:
+    PathData(std::string& text, const glm::dvec2& start) : text_(text) {
+        const Place place = place_of(start);
+        begin('M');
+        append(place);
+        pen_ = place;
+    }
+
+    void line_to(const glm::dvec2& point) {
+        begin('l');
+        append(place_of(point));
+        pen_ = place_of(point);
+    }
+
+    void curve_to(const glm::dvec2& leaving, const glm::dvec2& arriving, const glm::dvec2& point) {
+        begin('c');
+        for (const glm::dvec2& control : {leaving, arriving, point}) append(place_of(control));
+        pen_ = place_of(point);
+    }
+
+    void close() { text_ += 'Z'; }
+
+private:
+    using Place = std::array<std::int64_t, 2>;  // thousandths of a millimetre
+
+    static Place place_of(const glm::dvec2& point) { return {thousandths(point.x), thousandths(point.y)}; }
+
+    // A letter that repeats is left out.
+    void begin(char letter) {
+        needs_gap_ = letter == letter_;
+        if (!needs_gap_) text_ += letter;
+        letter_ = letter;
+    }
+
+    void append(const Place& place) {
+        for (std::size_t side = 0; side < 2; ++side) {
+            const std::int64_t number = place[side] - pen_[side];
+            if (number < 0) {
+                text_ += '-';
+            } else if (needs_gap_) {
+                text_ += ' ';
+            }
+            append_thousandths(text_, static_cast<std::uint64_t>(std::abs(number)));
+            needs_gap_ = true;
+        }
+    }
+
+    std::string& text_;
+    Place pen_{0, 0};
+    char letter_ = ' ';
+    bool needs_gap_ = false;  // before a number without a sign
+};
 
 class Writer {
 public:
@@ -113,17 +172,28 @@ private:
         if (path.ink) write(*path.ink);
         text_ += " d=\"";
         for (const Ring& ring : path.rings) write(ring);
+        for (const Curve& curve : path.curves) write(curve);
         text_ += "\"/>\n";
     }
 
     void write(const Ring& ring) {
-        for (std::size_t i = 0; i < ring.points.size(); ++i) {
-            text_ += i == 0 ? 'M' : i == 1 ? 'L' : ' ';
-            append_number(text_, ring.points[i].x);
-            text_ += ' ';
-            append_number(text_, ring.points[i].y);
+        PathData data(text_, ring.points.front());
+        for (std::size_t i = 1; i < ring.points.size(); ++i) data.line_to(ring.points[i]);
+        if (ring.closed) data.close();
+    }
+
+    void write(const Curve& curve) {
+        PathData data(text_, curve.start);
+        for (std::size_t i = 0; i < curve.pieces.size(); ++i) {
+            const CurvePiece& piece = curve.pieces[i];
+            const bool is_last = i + 1 == curve.pieces.size();
+            if (piece.kind == CurvePiece::Kind::cubic) {
+                data.curve_to(piece.leaving, piece.arriving, piece.end);
+            } else if (!(is_last && curve.closed)) {
+                data.line_to(piece.end);
+            }
         }
-        if (ring.closed) text_ += 'Z';
+        if (curve.closed) data.close();
     }
 
     void write(const VectorText& text) {

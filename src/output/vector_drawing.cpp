@@ -54,6 +54,19 @@ Ring spine_of(const DrawnLines& drawn, const Stroke& stroke, const Sheet& sheet)
     return ring;
 }
 
+// Adds a spine to a path as the drawing has it: a curve that keeps near to the points in the pixels of the frame, or
+// the points themselves.
+void add_spine(Ring&& spine, const DrawnLines& drawn, const Sheet& sheet, VectorPath& path) {
+    if (drawn.spines == DrawnLines::Spines::polylines) {
+        path.rings.push_back(std::move(spine));
+        return;
+    }
+    CurveLimits limits;
+    limits.tolerance *= sheet.mm_per_pixel;
+    limits.bulge *= sheet.mm_per_pixel;
+    path.curves.push_back(fit_curve(spine.points, spine.closed, limits));
+}
+
 // Colours that no eye tells apart, and opacities that files write alike, are one.
 glm::vec4 rounded(const glm::vec4& color) {
     const auto level = [](float channel, float levels) { return std::round(channel * levels) / levels; };
@@ -152,7 +165,7 @@ void add(VectorGroup& group, const DrawnLines& drawn, const Stroke& stroke, cons
         group.paths.emplace_back();
         if (*group.ink != ink) group.paths.back().ink = ink;
     }
-    group.paths.back().rings.push_back(spine_of(drawn, stroke, sheet));
+    add_spine(spine_of(drawn, stroke, sheet), drawn, sheet, group.paths.back());
     last_line = stroke.line;
 }
 
@@ -207,7 +220,7 @@ std::vector<VectorGroup> pens_of(const DrawnLines& drawn, const Sheet& sheet, Na
         pen.ink = Ink{.width = width};
         for (Ring& ring : plan_pen(std::move(rings), place)) {
             place = end_of(ring);
-            pen.paths.push_back({{std::move(ring)}, std::nullopt});
+            add_spine(std::move(ring), drawn, sheet, pen.paths.emplace_back());
         }
         pens.push_back(std::move(pen));
     }

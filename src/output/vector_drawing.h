@@ -25,6 +25,11 @@ struct DrawnLines {
         by_layers  ///< a group each for lines behind 1, 2 and more layers
     };
     Hidden hidden = Hidden::as_one;
+    enum class Spines : std::uint8_t {
+        polylines,  ///< exactly the points of the strokes
+        curves      ///< cubics through them where the lines are smooth
+    };
+    Spines spines = Spines::polylines;
 };
 
 /// The groups of one view (`view` 0 where there is one): hidden lines under visible ones, outlines on top. A line is

@@ -36,18 +36,27 @@ std::string NameGiver::name(const std::string& start, const std::string& rest) {
     }
 }
 
-void append_number(std::string& text, double number) {
-    const long long thousandths = std::llround(number * 1000.0);
-    const long long size = thousandths < 0 ? -thousandths : thousandths;
-    if (thousandths < 0) text += '-';
-    fmt::format_int whole(size / 1000);
-    text.append(whole.data(), whole.size());
-    long long part = size % 1000;
+std::int64_t thousandths(double number) { return std::llround(number * 1000.0); }
+
+void append_thousandths(std::string& text, std::uint64_t number) {
+    const std::uint64_t part = number % 1000;
+    if (part == 0 || number >= 1000) {
+        const fmt::format_int whole(number / 1000);
+        text.append(whole.data(), whole.size());
+    }
     if (part == 0) return;
-    char digits[4] = {'.', char('0' + part / 100), char('0' + part / 10 % 10), char('0' + part % 10)};
+    const char digits[4] = {'.', char('0' + part / 100), char('0' + part / 10 % 10), char('0' + part % 10)};
     std::size_t count = 4;
     while (digits[count - 1] == '0') --count;
     text.append(digits, count);
+}
+
+void append_number(std::string& text, double number) {
+    const std::int64_t rounded = thousandths(number);
+    const auto size = static_cast<std::uint64_t>(rounded < 0 ? -rounded : rounded);
+    if (rounded < 0) text += '-';
+    if (size > 0 && size < 1000) text += '0';
+    append_thousandths(text, size);
 }
 
 std::string number_text(double number) {

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "output/curves.h"
+
 namespace croquis::output {
 
 /// How paths are inked. All corners of strokes are round.
@@ -30,9 +32,10 @@ struct Ring {
     bool closed = false;  ///< the last point is joined to the first, which is not repeated
 };
 
-/// Rings that are inked as one.
+/// Rings and curves that are inked as one.
 struct VectorPath {
     std::vector<Ring> rings;
+    std::vector<Curve> curves;
     std::optional<Ink> ink;  ///< where it is not the group's
 };
 
@@ -78,5 +81,9 @@ private:
 /// A number with at most three decimals, as short as it goes: "0.35", "12", "-3.5".
 void append_number(std::string& text, double number);
 [[nodiscard]] std::string number_text(double number);
+
+/// A number as whole thousandths, and the shortest text of as many: "12", "3.5", ".35".
+[[nodiscard]] std::int64_t thousandths(double number);
+void append_thousandths(std::string& text, std::uint64_t number);
 
 }  // namespace croquis::output
