@@ -33,7 +33,7 @@ struct CleaningLimits {
 struct Merit {
     double length = 0;            ///< pixels
     double length_with_step = 0;  ///< of it, with nothing close behind the outer side
-    double company = 0;           ///< length of all lines that meet it at vertices, itself included
+    double company = 0;           ///< length of all lines that hang together with it, or of its longest edge
 };
 
 /// Makes short hidden stretches visible between visible pieces of one curve, where nothing hides them but surface that

@@ -37,38 +37,73 @@ private:
     const CleaningLimits& limits_;
 };
 
-double length_of(const VisibilityTask& task, const Piece& piece) {
-    const ImageEdge& edge = task.edges.edges()[piece.edge];
-    return (piece.to - piece.from) *
-           glm::distance(task.edges.vertices()[edge.a].position, task.edges.vertices()[edge.b].position);
+double length_of(const VisibilityTask& task, const ImageEdge& edge) {
+    return glm::distance(task.edges.vertices()[edge.a].position, task.edges.vertices()[edge.b].position);
 }
 
-/// For each chain, the length of all visible lines that hang together with it at vertices.
-std::vector<double> company_of(const VisibilityTask& task, const std::vector<Piece>& pieces, const Chains& chains,
-                               const std::vector<double>& lengths) {
-    std::vector<std::uint32_t> group(chains.chains.size());
-    for (std::uint32_t c = 0; c < group.size(); ++c) group[c] = c;
-    const auto find = [&](std::uint32_t c) {
-        while (group[c] != c) c = group[c] = group[group[c]];
-        return c;
-    };
-    std::vector<std::uint32_t> chain_at(task.edges.vertices().size(), 0xffffffffu);
-    for (std::uint32_t c = 0; c < chains.chains.size(); ++c) {
-        for (const Link& link : chains.links_of(chains.chains[c])) {
-            const Piece& piece = pieces[link.piece];
+double length_of(const VisibilityTask& task, const Piece& piece) {
+    return (piece.to - piece.from) * length_of(task, task.edges.edges()[piece.edge]);
+}
+
+/// Chains that hang together at vertices, or where the class of a line changes: visible ones with visible ones, hidden
+/// ones with hidden ones.
+class Companies {
+public:
+    Companies(const VisibilityTask& task, const std::vector<Piece>& pieces, const Chains& chains)
+        : parents_(chains.chains.size()) {
+        for (std::uint32_t c = 0; c < parents_.size(); ++c) parents_[c] = c;
+        std::vector<std::uint32_t> chain_of(pieces.size());
+        for (std::uint32_t c = 0; c < parents_.size(); ++c) {
+            for (const Link& link : chains.links_of(chains.chains[c])) chain_of[link.piece] = c;
+        }
+        // At each vertex, the first chain of visible lines and of hidden ones.
+        std::array<std::vector<std::uint32_t>, 2> chain_at;
+        for (auto& one : chain_at) one.assign(task.edges.vertices().size(), none);
+        for (std::uint32_t p = 0; p < pieces.size(); ++p) {
+            const Piece& piece = pieces[p];
             const ImageEdge& edge = task.edges.edges()[piece.edge];
-            for (const bool at_start : {true, false}) {
-                if (at_start ? piece.from > 0 : piece.to < 1) continue;
-                std::uint32_t& first = chain_at[at_start ? edge.a : edge.b];
-                if (first == 0xffffffffu) first = c;
-                const std::uint32_t x = find(first), y = find(c);
-                group[std::max(x, y)] = std::min(x, y);
-            }
+            const bool is_hidden = piece.layers > 0;
+            const auto meet = [&](std::uint32_t vertex) {
+                std::uint32_t& first = chain_at[is_hidden ? 1 : 0][vertex];
+                if (first == none) first = chain_of[p];
+                join(first, chain_of[p]);
+            };
+            if (piece.from == 0) meet(edge.a);
+            if (piece.to == 1) meet(edge.b);
+            if (p == 0 || pieces[p - 1].edge != piece.edge || pieces[p - 1].to != piece.from) continue;
+            if ((pieces[p - 1].layers > 0) == is_hidden) join(chain_of[p - 1], chain_of[p]);
         }
     }
-    std::vector<double> total(group.size(), 0), company(group.size(), 0);
-    for (std::uint32_t c = 0; c < group.size(); ++c) total[find(c)] += lengths[c];
-    for (std::uint32_t c = 0; c < group.size(); ++c) company[c] = total[find(c)];
+
+    [[nodiscard]] std::uint32_t of(std::uint32_t chain) {
+        while (parents_[chain] != chain) chain = parents_[chain] = parents_[parents_[chain]];
+        return chain;
+    }
+
+private:
+    static constexpr std::uint32_t none = 0xffffffffu;
+
+    void join(std::uint32_t a, std::uint32_t b) {
+        const auto [low, high] = std::minmax({of(a), of(b)});
+        parents_[high] = low;
+    }
+
+    std::vector<std::uint32_t> parents_;
+};
+
+/// For each chain, the length of the lines that hang together with it, or that of its longest edge if a part of it is
+/// hidden or outside of the frame.
+std::vector<double> company_of(const VisibilityTask& task, const std::vector<Piece>& pieces, const Chains& chains,
+                               const std::vector<double>& lengths) {
+    Companies companies(task, pieces, chains);
+    std::vector<double> total(lengths.size(), 0), company(lengths.size(), 0);
+    for (std::uint32_t c = 0; c < lengths.size(); ++c) total[companies.of(c)] += lengths[c];
+    for (std::uint32_t c = 0; c < lengths.size(); ++c) {
+        company[c] = total[companies.of(c)];
+        for (const Link& link : chains.links_of(chains.chains[c])) {
+            company[c] = std::max(company[c], length_of(task, task.edges.edges()[pieces[link.piece].edge]));
+        }
+    }
     return company;
 }
 
@@ -114,24 +149,33 @@ bool is_crumb(LineClass line_class, const Merit& merit, const CleaningLimits& li
     }
 }
 
-/// True when all points of a line keep near to the points and pieces of others.
+/// Lines that run beside longer ones over all their length.
 class Shadows {
 public:
     Shadows(const Drawing& drawing, double near) : drawing_(drawing), grid_(drawing, near), near_(near) {}
 
     [[nodiscard]] bool covers(std::uint32_t line, const std::vector<Merit>& merits) const {
-        for (const LinePoint& point : drawing_.points_of(drawing_.lines[line])) {
-            bool covered = false;
-            grid_.visit_near(point.position, near_, [&](const SegmentGrid::Nearest& nearest) {
-                const bool longer = merits[nearest.line].length > merits[line].length;
-                covered = covered || (nearest.line != line && longer && nearest.distance <= near_);
-            });
-            if (!covered) return false;
+        const auto points = drawing_.points_of(drawing_.lines[line]);
+        for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+            const glm::dvec2 &from = points[i].position, &to = points[i + 1].position;
+            const int samples = 1 + static_cast<int>(glm::distance(from, to) / near_);
+            for (int k = 0; k <= samples; ++k) {
+                if (!covers(glm::mix(from, to, double(k) / samples), line, merits)) return false;
+            }
         }
         return true;
     }
 
 private:
+    [[nodiscard]] bool covers(const glm::dvec2& point, std::uint32_t line, const std::vector<Merit>& merits) const {
+        bool covered = false;
+        grid_.visit_near(point, near_, [&](const SegmentGrid::Nearest& nearest) {
+            const bool longer = merits[nearest.line].length > merits[line].length;
+            covered = covered || (nearest.line != line && longer && nearest.distance <= near_);
+        });
+        return covered;
+    }
+
     const Drawing& drawing_;
     SegmentGrid grid_;
     double near_;
