@@ -1,10 +1,11 @@
 #include "lines/crossings.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <glm/common.hpp>
-#include <optional>
 
+#include "base/error.h"
 #include "base/parallel.h"
 #include "lines/predicates.h"
 
@@ -12,29 +13,34 @@ namespace croquis::lines {
 namespace {
 
 constexpr std::size_t lines_a_piece = 256;
+constexpr std::size_t most_crossings = 20'000'000;  // half a gigabyte
 /// Of depths, relative to the larger one: within it two edges that cross in the picture may as well touch.
 constexpr double depth_doubt = 1e-8;
 
-std::optional<Crossing> crossing_of(const ImageEdges& edges, std::uint32_t line, std::uint32_t hiding) {
-    const ImageEdge& l = edges.edges()[line];
-    const ImageEdge& h = edges.edges()[hiding];
-    if (l.a == h.a || l.a == h.b || l.b == h.a || l.b == h.b) return std::nullopt;
-    const ImageVertex &a = edges.vertices()[l.a], &b = edges.vertices()[l.b];
-    const ImageVertex &c = edges.vertices()[h.a], &d = edges.vertices()[h.b];
+/// Appends what two edges that cross in the picture are to each other.
+void append_crossings(const ImageEdges& edges, std::uint32_t first, std::uint32_t second,
+                      std::vector<Crossing>& found) {
+    const ImageEdge& e = edges.edges()[first];
+    const ImageEdge& f = edges.edges()[second];
+    if (e.a == f.a || e.a == f.b || e.b == f.a || e.b == f.b) return;
+    const ImageVertex &a = edges.vertices()[e.a], &b = edges.vertices()[e.b];
+    const ImageVertex &c = edges.vertices()[f.a], &d = edges.vertices()[f.b];
     const double side_c = orientation(a.position, b.position, c.position);
     const double side_d = orientation(a.position, b.position, d.position);
-    if ((side_c > 0) == (side_d > 0)) return std::nullopt;
+    if ((side_c > 0) == (side_d > 0)) return;
     const double side_a = orientation(c.position, d.position, a.position);
     const double side_b = orientation(c.position, d.position, b.position);
-    if ((side_a > 0) == (side_b > 0)) return std::nullopt;
-    const double share = side_a / (side_a - side_b);
-    const double other_share = side_c / (side_c - side_d);
-    const double nearness = a.nearness + share * (b.nearness - a.nearness);
-    const double other_nearness = c.nearness + other_share * (d.nearness - c.nearness);
-    Crossing crossing{line, hiding, share};
-    if (other_nearness > nearness) crossing.gain = static_cast<std::int8_t>(side_a > 0 ? h.step : -h.step);
-    crossing.is_doubtful = std::abs(other_nearness - nearness) <= depth_doubt * std::abs(nearness);
-    return crossing;
+    if ((side_a > 0) == (side_b > 0)) return;
+    Crossing of_first{first, second, side_a / (side_a - side_b)};
+    Crossing of_second{second, first, side_c / (side_c - side_d)};
+    const double nearness = a.nearness + of_first.share * (b.nearness - a.nearness);
+    const double other_nearness = c.nearness + of_second.share * (d.nearness - c.nearness);
+    if (other_nearness > nearness) of_first.gain = static_cast<std::int8_t>(side_a > 0 ? f.step : -f.step);
+    if (nearness > other_nearness) of_second.gain = static_cast<std::int8_t>(side_c > 0 ? e.step : -e.step);
+    of_first.is_doubtful = of_second.is_doubtful =
+        std::abs(other_nearness - nearness) <= depth_doubt * std::abs(nearness);
+    if (f.step != 0) found.push_back(of_first);
+    if (e.step != 0) found.push_back(of_second);
 }
 
 }  // namespace
@@ -112,6 +118,8 @@ void CrossingFinder::test(const ImageEdges& edges, std::uint32_t line, std::vect
     met.clear();
     visit_cells(a.position, b.position, [&](std::size_t cell) {
         for (std::uint32_t i = cell_starts_[cell]; i < cell_starts_[cell + 1]; ++i) {
+            // Of two edges that hide, the earlier one sees to the pair.
+            if (edge.step != 0 && cell_edges_[i] <= line) continue;
             const Box& other = boxes_[cell_edges_[i]];
             if (other.right < box.left || other.left > box.right || other.bottom < box.top || other.top > box.bottom) {
                 continue;
@@ -121,10 +129,7 @@ void CrossingFinder::test(const ImageEdges& edges, std::uint32_t line, std::vect
     });
     if (met.size() > 1) std::sort(met.begin(), met.end());
     met.erase(std::unique(met.begin(), met.end()), met.end());
-    for (const std::uint32_t other : met) {
-        if (other == line) continue;
-        if (const auto crossing = crossing_of(edges, line, other)) found.push_back(*crossing);
-    }
+    for (const std::uint32_t other : met) append_crossings(edges, line, other, found);
 }
 
 void CrossingFinder::find(const ImageEdges& edges) {
@@ -134,20 +139,43 @@ void CrossingFinder::find(const ImageEdges& edges) {
     fill_grid(edges);
     const std::size_t pieces = (edges.edges().size() + lines_a_piece - 1) / lines_a_piece;
     std::vector<std::vector<Crossing>> found(pieces);
+    std::atomic<std::size_t> count = 0;
     parallel_for(pieces, 1, [&](std::size_t begin, std::size_t end) {
         std::vector<std::uint32_t> met;
-        for (std::size_t p = begin; p < end; ++p) {
+        for (std::size_t p = begin; p < end && count < most_crossings; ++p) {
             const std::size_t last = std::min((p + 1) * lines_a_piece, edges.edges().size());
-            for (std::size_t e = p * lines_a_piece; e < last; ++e) {
+            for (std::size_t e = p * lines_a_piece; e < last && found[p].size() < most_crossings; ++e) {
                 // An edge that only hides must be known too: layers pass on along it from line to line.
                 test(edges, static_cast<std::uint32_t>(e), met, found[p]);
             }
-            std::stable_sort(found[p].begin(), found[p].end(), [](const Crossing& x, const Crossing& y) {
-                return x.edge != y.edge ? x.edge < y.edge : x.share < y.share;
-            });
+            count += found[p].size();
         }
     });
-    for (const auto& piece : found) crossings_.insert(crossings_.end(), piece.begin(), piece.end());
+    if (count >= most_crossings) {
+        fail("expected lines that cross up to {} times in the picture, found more: a tangle of faces", most_crossings);
+    }
+    sort_by_edge(found, edges.edges().size());
+}
+
+void CrossingFinder::sort_by_edge(const std::vector<std::vector<Crossing>>& found, std::size_t edge_count) {
+    edge_starts_.assign(edge_count + 2, 0);
+    std::size_t count = 0;
+    for (const auto& piece : found) {
+        count += piece.size();
+        for (const Crossing& crossing : piece) ++edge_starts_[crossing.edge + 2];
+    }
+    for (std::size_t e = 2; e < edge_starts_.size(); ++e) edge_starts_[e] += edge_starts_[e - 1];
+    crossings_.resize(count);
+    for (const auto& piece : found) {
+        for (const Crossing& crossing : piece) crossings_[edge_starts_[crossing.edge + 1]++] = crossing;
+    }
+    for (std::size_t e = 0; e < edge_count; ++e) {
+        const auto first = crossings_.begin() + edge_starts_[e], last = crossings_.begin() + edge_starts_[e + 1];
+        if (last - first < 2) continue;
+        std::sort(first, last, [](const Crossing& x, const Crossing& y) {
+            return x.share != y.share ? x.share < y.share : x.other < y.other;
+        });
+    }
 }
 
 }  // namespace croquis::lines

@@ -19,7 +19,7 @@ struct Crossing {
 };
 
 /// Finds where lines cross edges that hide, whichever of the two is nearer. Edges that share an end do not cross.
-/// Sorted by edge, then share.
+/// Sorted by edge, then share. Throws Error for a tangle, in which lines cross many million times.
 class CrossingFinder {
 public:
     void find(const ImageEdges& edges);
@@ -35,8 +35,10 @@ private:
     void visit_cells(const glm::dvec2& a, const glm::dvec2& b, const Visit& visit) const;
     void place_grid(const ImageEdges& edges);
     void fill_grid(const ImageEdges& edges);
+    /// Finds the crossings of an edge with edges that hide; of pairs that both hide, those in which it is the earlier.
     void test(const ImageEdges& edges, std::uint32_t line, std::vector<std::uint32_t>& met,
               std::vector<Crossing>& found) const;
+    void sort_by_edge(const std::vector<std::vector<Crossing>>& found, std::size_t edge_count);
 
     struct Box {
         float left, top, right, bottom;
@@ -46,6 +48,7 @@ private:
     std::vector<Box> boxes_;             // one an image edge, a little too large
     std::vector<std::uint32_t> hiding_;  // image edges with a step
     std::vector<std::uint32_t> cell_starts_, cell_edges_;
+    std::vector<std::uint32_t> edge_starts_;  // in crossings_
     std::vector<Crossing> crossings_;
 };
 

@@ -77,17 +77,31 @@ public:
     [[nodiscard]] ImagePoint point_at(const ImageEdge& edge, double share) const;
 
 private:
-    /// An end on the way into the picture. Numbers count the surface's vertices, then the nodes of cuts.
+    /// An end in space. Numbers count the surface's vertices, then the nodes of cuts.
     struct End {
         glm::dvec3 point;
         std::uint32_t number;
     };
-    void add_regular(const Viewpoint& view, const Features& features, std::span<const std::uint32_t> silhouettes,
-                     bool draws_silhouettes);
-    void add_irregular(const Viewpoint& view, const Features& features, bool draws_silhouettes);
-    void add(const Viewpoint& view, const ImageEdge& edge);
-    void add(const Viewpoint& view, ImageEdge edge, std::array<End, 2> ends);
-    [[nodiscard]] std::uint32_t shared_vertex(std::uint32_t number, const ImagePoint& point);
+    /// An edge on its way into the picture.
+    struct Candidate {
+        ImageEdge edge;
+        std::array<ImagePoint, 2> image;
+        std::array<std::uint32_t, 2> numbers{no_vertex, no_vertex};  ///< of ends that other edges may share
+        bool is_in_picture = false;
+        bool is_whole = true;
+    };
+    /// What all candidates of a view have in common.
+    struct Gathering;
+
+    [[nodiscard]] Candidate candidate(const Gathering& gathering, std::size_t index) const;
+    [[nodiscard]] Candidate of_silhouette(const Gathering& gathering, std::uint32_t edge) const;
+    [[nodiscard]] Candidate of_feature(const Gathering& gathering, const Feature& feature) const;
+    [[nodiscard]] Candidate of_irregular(const Gathering& gathering, const IrregularEdge& irregular) const;
+    [[nodiscard]] Candidate of_cut(const Gathering& gathering, std::uint32_t segment) const;
+    [[nodiscard]] Candidate projected(const Viewpoint& view, const ImageEdge& edge) const;
+    [[nodiscard]] Candidate projected(const Viewpoint& view, const ImageEdge& edge, std::array<End, 2> ends) const;
+    void place(const Candidate& candidate);
+    [[nodiscard]] std::uint32_t placed(const ImagePoint& point, std::uint32_t number);
     void connect();
 
     const Surface& surface_;
@@ -97,7 +111,7 @@ private:
     const CutCurves* cuts_ = nullptr;             // of the view at hand
     std::vector<std::uint32_t> image_vertex_of_;  // one a number of an end
     std::vector<std::uint32_t> shared_numbers_;   // whose image_vertex_of_ is set
-    std::vector<bool> mesh_hides_own_backs_;      // one a mesh, for the view at hand
+    std::vector<Candidate> candidates_;
     bool is_whole_ = true;
 };
 
