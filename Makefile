@@ -25,7 +25,9 @@ docs: build
 	@tools/make_docs.py --croquis $(BUILD)/croquis
 
 bench: build
-	@$(BUILD)/bench/croquis_bench --benchmark_enable_random_interleaving=true
+	@for program in croquis_bench croquis_bench_strokes croquis_bench_finders croquis_bench_lines; do \
+	    $(BUILD)/bench/$$program --benchmark_enable_random_interleaving=true || exit 1; \
+	done
 
 clean:
 	rm -rf build

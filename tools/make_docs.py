@@ -26,11 +26,14 @@ CELL = size_of("480x360")
 
 # What shows a technique best: its model in data/models and options of `croquis render`.
 STILL_LIFE = ("scene", ("--eye=0.9,2.6,4.6", "--target=0,0.7,0", "--fov=34"))
+MACHINE_PART = ("bearing", ("--view=0.75,0.6,1", "--fov=25", "--set", "lines.crease_angle=35"))
 SHOWN_WITH = {
     "cartoon_metal": ("teapot", ()),
     "flat": ("torus_knot", ("--view=0.4,0.5,1",)),
     "metallic": ("teapot", ()),
     "normals": ("torus_knot", ("--view=0.4,0.5,1",)),
+    "technical": MACHINE_PART,
+    "white_creases": MACHINE_PART,
     "wireframe": ("torus_knot", ("--view=0.4,0.5,1",)),
 }
 

@@ -12,6 +12,7 @@ import unittest
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
 import machine_parts
+import make_gallery
 import make_models
 import meshes
 import teapot
@@ -192,6 +193,22 @@ class Models(unittest.TestCase):
                 self.check(mesh, 2, 0)
         for triangles in (18, 21):
             self.assertRaises(ValueError, make_models.sphere, triangles)
+
+
+class Gallery(unittest.TestCase):
+    def test_pen_goes_up_and_down_where_paths_end_and_begin(self):
+        for path, lines in (
+            ("M1 2L3 4", [((1, 2), (3, 4))]),
+            ("M1 2l.5-.25 1 1", [((1, 2), (2.5, 2.75))]),
+            ("M1 2L5 5 3 0ZM0 0c1 1 2 2 3-3", [((1, 2), (1, 2)), ((0, 0), (3, -3))]),
+            ("M1 1c1 0 2 0 3 0 1 0 2 0 3 1l-1 0M10 10C0 0 0 0 7 8", [((1, 1), (6, 2)), ((10, 10), (7, 8))]),
+        ):
+            with self.subTest(path=path):
+                self.assertEqual([tuple(line) for line in make_gallery.drawn_lines(path)], lines)
+
+    def test_commands_are_the_lines_of_sh_blocks(self):
+        page = "a\n```sh\n# no\ncroquis lines a.obj \\\n  -o a.svg\n```\n```text\ncroquis x\n```\n```sh\ntools/b.py\n```\n"
+        self.assertEqual(make_gallery.commands_of(page), [["croquis", "lines", "a.obj", "-o", "a.svg"], ["tools/b.py"]])
 
 
 if __name__ == "__main__":
