@@ -33,6 +33,7 @@ struct CleaningLimits {
 struct Merit {
     double length = 0;            ///< pixels
     double length_with_step = 0;  ///< of it, with nothing close behind the outer side
+    double sharp_length = 0;      ///< of it, on edges that bend as a crease does
     double company = 0;           ///< length of all lines that hang together with it, or of its longest edge
 };
 

@@ -43,17 +43,29 @@ bool has_nothing_behind(const VisibilityTask& task, const LayerProbe& probe, con
     const ImageEdge& edge = task.edges.edges()[piece.edge];
     const glm::dvec2 along = task.edges.vertices()[edge.b].position - task.edges.vertices()[edge.a].position;
     const double length = glm::length(along);
-    if (!(length > 0) || edge.step == 0) return false;
+    // What only rounding shows has its own body behind it.
+    if (!(length > 0) || edge.step == 0 || edge.never_seen) return false;
     ImagePoint point = task.edges.point_at(edge, 0.5 * (piece.from + piece.to));
     point.position += (edge.step > 0 ? aside : -aside) / length * glm::dvec2(-along.y, along.x);
     return probe.is_open_behind(edge, point);
 }
 
-/// True where the surface around a joint of two links goes on without another hiding edge.
+/// From the start of a link to its end.
+glm::dvec2 direction_of(const VisibilityTask& task, const std::vector<Piece>& pieces, const Link& link) {
+    const ImageEdge& edge = task.edges.edges()[pieces[link.piece].edge];
+    const glm::dvec2 along = task.edges.vertices()[edge.b].position - task.edges.vertices()[edge.a].position;
+    const double length = glm::length(along);
+    return length > 0 ? along / (link.reversed ? -length : length) : glm::dvec2(0.0);
+}
+
+/// True where the surface around a joint of two links goes on without another hiding edge. Not at corners: in views
+/// along faces, edges of the surface behind may line up with one side of a corner.
 bool is_plain_joint(const VisibilityTask& task, const std::vector<Piece>& pieces, const Link& before,
                     const Link& after) {
     const Piece &first = pieces[before.piece], &second = pieces[after.piece];
     if (first.edge == second.edge) return false;
+    constexpr double corner_cosine = 0.8;
+    if (glm::dot(direction_of(task, pieces, before), direction_of(task, pieces, after)) < corner_cosine) return false;
     const ImageEdge& edge = task.edges.edges()[first.edge];
     const std::uint32_t vertex = before.reversed ? edge.a : edge.b;
     const auto around = task.edges.edges_at(vertex);

@@ -121,12 +121,14 @@ std::vector<Merit> merits_of(const VisibilityTask& task, const RayCaster& rays, 
     const DepthSteps steps(task, rays, limits);
     parallel_for(merits.size(), 8, [&](std::size_t begin, std::size_t end) {
         for (std::size_t c = begin; c < end; ++c) {
-            merits[c] = {lengths[c], 0, company[c]};
+            merits[c] = {lengths[c], 0, 0, company[c]};
             const auto links = chains.links_of(chains.chains[c]);
             if (keys[links[0].piece].line_class == LineClass::contour) merits[c].length_with_step = lengths[c];
             if (keys[links[0].piece].line_class != LineClass::silhouette || lengths[c] >= limits.long_line) continue;
             for (const Link& link : links) {
-                if (steps.at(pieces[link.piece])) merits[c].length_with_step += length_of(task, pieces[link.piece]);
+                const Piece& piece = pieces[link.piece];
+                if (steps.at(piece)) merits[c].length_with_step += length_of(task, piece);
+                if (task.edges.edges()[piece.edge].is_sharp) merits[c].sharp_length += length_of(task, piece);
             }
         }
     });
@@ -141,7 +143,8 @@ bool is_crumb(LineClass line_class, const Merit& merit, const CleaningLimits& li
         case LineClass::contour:
             return merit.length < limits.crumb && merit.company < limits.crumb;
         case LineClass::silhouette:
-            return merit.length_with_step < 0.5 * merit.length || merit.company < limits.crumb;
+            return std::max(merit.length_with_step, merit.sharp_length) < 0.5 * merit.length ||
+                   merit.company < limits.crumb;
         case LineClass::tagged:
             return false;
         default:
@@ -149,34 +152,53 @@ bool is_crumb(LineClass line_class, const Merit& merit, const CleaningLimits& li
     }
 }
 
-/// Lines that run beside longer ones over all their length.
-class Shadows {
+/// The visible lines around a line.
+class Neighbours {
 public:
-    Shadows(const Drawing& drawing, double near) : drawing_(drawing), grid_(drawing, near), near_(near) {}
+    Neighbours(const Drawing& drawing, const std::vector<Merit>& merits, double near)
+        : drawing_(drawing), merits_(merits), grid_(drawing, near), near_(near) {}
 
-    [[nodiscard]] bool covers(std::uint32_t line, const std::vector<Merit>& merits) const {
+    /// True for a line that runs beside longer ones, of its class or one that comes before it, over all its length.
+    [[nodiscard]] bool cover(std::uint32_t line) const {
         const auto points = drawing_.points_of(drawing_.lines[line]);
         for (std::size_t i = 0; i + 1 < points.size(); ++i) {
             const glm::dvec2 &from = points[i].position, &to = points[i + 1].position;
             const int samples = 1 + static_cast<int>(glm::distance(from, to) / near_);
             for (int k = 0; k <= samples; ++k) {
-                if (!covers(glm::mix(from, to, double(k) / samples), line, merits)) return false;
+                if (!cover(glm::mix(from, to, double(k) / samples), line)) return false;
             }
         }
         return true;
     }
 
+    /// True for a line that leads from one to another, or to the same.
+    [[nodiscard]] bool hold_both_ends(std::uint32_t line) const {
+        const auto points = drawing_.points_of(drawing_.lines[line]);
+        return holds(points.front().position, line) && holds(points.back().position, line);
+    }
+
 private:
-    [[nodiscard]] bool covers(const glm::dvec2& point, std::uint32_t line, const std::vector<Merit>& merits) const {
+    [[nodiscard]] bool cover(const glm::dvec2& point, std::uint32_t line) const {
         bool covered = false;
         grid_.visit_near(point, near_, [&](const SegmentGrid::Nearest& nearest) {
-            const bool longer = merits[nearest.line].length > merits[line].length;
-            covered = covered || (nearest.line != line && longer && nearest.distance <= near_);
+            if (nearest.line == line || nearest.distance > near_) return;
+            const bool longer = merits_[nearest.line].length > merits_[line].length;
+            covered = covered || (longer && drawing_.lines[nearest.line].line_class <= drawing_.lines[line].line_class);
         });
         return covered;
     }
 
+    [[nodiscard]] bool holds(const glm::dvec2& end, std::uint32_t line) const {
+        constexpr double touching = 0.75;  // pixels: ends have been moved by the joining of others
+        bool held = false;
+        grid_.visit_near(end, touching, [&](const SegmentGrid::Nearest& nearest) {
+            held = held || (nearest.line != line && nearest.distance <= touching);
+        });
+        return held;
+    }
+
     const Drawing& drawing_;
+    const std::vector<Merit>& merits_;
     SegmentGrid grid_;
     double near_;
 };
@@ -184,14 +206,15 @@ private:
 }  // namespace
 
 Drawing without_crumbs(const Drawing& drawing, const CleaningLimits& limits, const std::vector<Merit>& merits) {
-    const Shadows shadows(drawing, limits.shadow);
+    const Neighbours neighbours(drawing, merits, limits.shadow);
     Drawing kept{drawing.width, drawing.height, {}, {}};
     for (std::uint32_t l = 0; l < drawing.lines.size(); ++l) {
         Line line = drawing.lines[l];
         const std::span<const LinePoint> points = drawing.points_of(line);
         if (line.visible()) {
-            if (is_crumb(line.line_class, merits[l], limits)) continue;
-            if (merits[l].length < limits.long_line && shadows.covers(l, merits)) continue;
+            const bool connects = line.line_class > LineClass::silhouette && neighbours.hold_both_ends(l);
+            if (is_crumb(line.line_class, merits[l], limits) && !connects) continue;
+            if (merits[l].length < limits.long_line && neighbours.cover(l)) continue;
         } else if (merits[l].length < limits.crumb && merits[l].company < limits.crumb) {
             continue;
         }

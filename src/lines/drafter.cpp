@@ -51,8 +51,8 @@ void check(const Viewpoint& view) {
     if (!(view.width > 0 && view.height > 0 && view.width <= 1e6 && view.height <= 1e6)) {
         fail("expected a frame of up to 1000000 x 1000000 pixels, found {} x {}", view.width, view.height);
     }
-    if (!(view.scale > 0) || !(glm::dot(view.back, view.back) > 0.5)) {
-        fail("expected a viewpoint with a direction and a field of view");
+    if (!(view.scale > 0) || !(glm::dot(view.back, view.back) > 0.5) || !(glm::dot(view.eye, view.eye) < 1e300)) {
+        fail("expected a viewpoint with a place, a direction and a field of view");
     }
 }
 
@@ -187,6 +187,7 @@ Drawing Drafter::State::draw(const Viewpoint& view) {
         drawing = join_lines(drawing, view, limits, merits);
         drawing = smoothed(without_crumbs(drawing, limits, merits), limits);
     }
+    drop_points(drawing);
     report.chain = watch.milliseconds();
     return drawing;
 }

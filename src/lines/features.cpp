@@ -24,15 +24,20 @@ void append(std::vector<Feature>& features, const std::vector<std::uint32_t>& ed
     for (const std::uint32_t e : edges) features.push_back({e, line_class});
 }
 
+bool is_copy(const model::Face& a, const model::Face& b) {
+    return std::all_of(a.vertices.begin(), a.vertices.end(), [&](std::uint32_t v) { return contains(b, v); });
+}
+
 /// The sharpest bend among the faces of an edge, as the cosine between normals; faces wound alike along the edge are
-/// taken as if one of them were turned over.
+/// taken as if one of them were turned over. Faces that stand in the model several times count once.
 float smallest_cosine(const Surface& surface, const model::Edge& edge, std::span<const std::uint32_t> faces) {
     float smallest = 1;
     for (std::size_t i = 0; i < faces.size(); ++i) {
         for (std::size_t k = i + 1; k < faces.size(); ++k) {
+            if (is_copy(surface.topology().faces[faces[i]], surface.topology().faces[faces[k]])) continue;
             const bool alike = winds_along(surface.topology().faces[faces[i]], edge) ==
                                winds_along(surface.topology().faces[faces[k]], edge);
-            const float cosine = glm::dot(glm::vec3(surface.planes()[faces[i]]), glm::vec3(surface.planes()[faces[k]]));
+            const float cosine = surface.bend_cosine({faces[i], faces[k]});
             smallest = std::min(smallest, alike ? -cosine : cosine);
         }
     }
@@ -56,7 +61,7 @@ bool winds_along(const model::Face& face, const model::Edge& edge) {
 
 Features::Features(const Surface& surface, LineClasses classes, double crease_angle) {
     const model::Topology& topology = surface.topology();
-    const float crease_cosine = static_cast<float>(std::cos(crease_angle));
+    crease_cosine = static_cast<float>(std::cos(crease_angle));
     std::vector<Feature> found;
     if (classes.has(LineClass::tagged)) append(found, topology.tagged_edges, LineClass::tagged);
     if (classes.has(LineClass::crease)) append(found, surface.creases(crease_angle), LineClass::crease);

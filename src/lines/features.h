@@ -36,6 +36,7 @@ struct Features {
     std::vector<IrregularEdge> irregular;  ///< all irregular edges, in ascending order
     std::vector<std::uint32_t> irregular_faces;
     CutCurves cuts;
+    float crease_cosine = 0;  ///< of the largest angle that makes no crease
 
     [[nodiscard]] std::span<const std::uint32_t> faces_of(const IrregularEdge& edge) const {
         return std::span(irregular_faces).subspan(edge.first_face, edge.face_count);

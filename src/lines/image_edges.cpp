@@ -111,6 +111,7 @@ ImageEdges::Candidate ImageEdges::of_silhouette(const Gathering& gathering, std:
     ImageEdge edge{0, 0, e};
     edge.step = static_cast<std::int8_t>(2 * side_of(surface_, topology.edges[e], pair.first, gathering.view));
     edge.bend = bend_of(surface_, topology.edges[e], pair);
+    edge.is_sharp = surface_.bend_cosine(pair) < gathering.features.crease_cosine;
     edge.is_line = gathering.draws_silhouettes;
     edge.never_seen = edge.bend < 0 && gathering.is_within_solids(topology.faces, pair);
     return projected(gathering.view, edge);

@@ -34,6 +34,7 @@ struct ImageEdge {
     LineClass line_class = LineClass::silhouette;
     bool is_line = false;     ///< to be drawn; else it only hides
     bool never_seen = false;  ///< a concave silhouette or a turned away crease of a solid: its own body hides it
+    bool is_sharp = false;    ///< of a regular silhouette: it bends as a crease does
     /// Of a regular silhouette: 1 where it is convex, its nearer face turned to the eye (seed D calls it front facing),
     /// -1 where it is concave; 0 where that is too close to call, and for other edges.
     std::int8_t bend = 0;

@@ -165,8 +165,10 @@ Drawing Joiner::joined(std::vector<Merit>& merits) const {
         std::uint32_t end = start;
         while (end != none && !taken[end / 2]) {
             const Merit& merit = merits[end / 2];
-            sum = {sum.length + merit.length, sum.length_with_step + merit.length_with_step,
-                   sum.company + merit.company};
+            sum.length += merit.length;
+            sum.length_with_step += merit.length_with_step;
+            sum.sharp_length += merit.sharp_length;
+            sum.company += merit.company;
             taken[end / 2] = true;
             append(drawing, end / 2, end % 2 == 1);
             end = partner_[end ^ 1u];

@@ -172,6 +172,11 @@ bool settle(const VisibilityTask& task, const LayerProbe& probe, Cluster& cluste
     return true;
 }
 
+std::uint32_t layers_of(const VisibilityTask& task, const Cluster& cluster, std::int32_t number) {
+    if (task.count_layers) return static_cast<std::uint32_t>(std::max(cluster.start + number, 0));
+    return cluster.is_hidden || number > cluster.least ? 1 : 0;
+}
+
 }  // namespace
 
 VisibilityResult quantitative_invisibility(const VisibilityTask& task, const LayerProbe& start,
@@ -190,20 +195,26 @@ VisibilityResult quantitative_invisibility(const VisibilityTask& task, const Lay
     for (std::uint32_t e = 0; e < task.edges.edges().size(); ++e) {
         const ImageEdge& edge = task.edges.edges()[e];
         if (!edge.is_line) continue;
-        const bool is_alone = propagation.cluster_of(e) == no_cluster;
-        if (is_alone || clusters[propagation.cluster_of(e)].is_doubtful) {
+        const std::uint32_t number_of_cluster = propagation.cluster_of(e);
+        if (number_of_cluster == no_cluster) {
             probe_edge(task, propagation.crossings(), robust, e, result.pieces);
             continue;
         }
-        const Cluster& cluster = clusters[propagation.cluster_of(e)];
-        propagation.visit_pieces(e, [&](Piece piece, std::int32_t number) {
-            if (task.count_layers) {
-                piece.layers = static_cast<std::uint32_t>(std::max(cluster.start + number, 0));
-            } else {
-                piece.layers = cluster.is_hidden || number > cluster.least ? 1 : 0;
-            }
-            append_piece(result.pieces, piece);
-        });
+        const Cluster& cluster = clusters[number_of_cluster];
+        const std::size_t first = result.pieces.size();
+        if (cluster.is_doubtful) {
+            probe_edge(task, propagation.crossings(), robust, e, result.pieces);
+        } else {
+            propagation.visit_pieces(e, [&](Piece piece, std::int32_t number) {
+                piece.layers = layers_of(task, cluster, number);
+                append_piece(result.pieces, piece);
+            });
+        }
+        // What is seen edge-on along its faces may count as seen, although its own body lies before it.
+        if (!edge.never_seen || cluster.is_pierced) continue;
+        for (std::size_t p = first; p < result.pieces.size(); ++p) {
+            result.pieces[p].layers = std::max(result.pieces[p].layers, 1u);
+        }
     }
     return result;
 }

@@ -8,8 +8,9 @@
 namespace croquis::lines {
 namespace {
 
-constexpr double window = 4;     // pixels to each side over which places are averaged
-constexpr double long_edge = 8;  // pixels: where two such edges meet is a corner of the model, no zigzag
+constexpr double window = 4;        // pixels to each side over which places are averaged
+constexpr double medium_piece = 8;  // pixels: where two such pieces meet is a corner of the model, no zigzag
+constexpr double long_piece = 12;   // pixels: its ends are
 
 /// One line as places by arc length. A closed one starts at its first point, which stays.
 class Curve {
@@ -46,18 +47,36 @@ private:
     std::vector<glm::dvec2> sum_;
 };
 
-/// Corners that must stay: ends, and where long edges meet.
+/// For each point, how far the line runs straight from it to the point before, and on through points at which it hardly
+/// turns.
+std::vector<double> straight_before(std::span<const LinePoint> points, bool closed) {
+    constexpr double hardly = 0.01;  // radians
+    const std::size_t count = points.size();
+    std::vector<double> lengths(count, 0);
+    double length = 0;
+    for (std::size_t i = closed ? 0 : 1; i < (closed ? 2 * count : count); ++i) {
+        const glm::dvec2 along = points[i % count].position - points[(i + count - 1) % count].position;
+        const glm::dvec2 before = points[(i + count - 1) % count].position - points[(i + count - 2) % count].position;
+        const bool turns =
+            std::abs(along.x * before.y - along.y * before.x) > hardly * glm::length(along) * glm::length(before) ||
+            glm::dot(along, before) <= 0;
+        const bool is_first = !closed && i == 1;
+        length = (turns || is_first ? 0 : length) + glm::length(along);
+        lengths[i % count] = length;
+    }
+    return lengths;
+}
+
+/// Corners that must stay: ends, the ends of long straight pieces, and where pieces of some length meet.
 std::vector<bool> corners_of(std::span<const LinePoint> points, bool closed) {
     const std::size_t count = points.size();
+    const std::vector<double> before = straight_before(points, closed);
+    const std::vector<LinePoint> turned(points.rbegin(), points.rend());
+    const std::vector<double> after = straight_before(turned, closed);
     std::vector<bool> is_corner(count, false);
     for (std::size_t i = 0; i < count; ++i) {
-        if (!closed && (i == 0 || i + 1 == count)) {
-            is_corner[i] = true;
-            continue;
-        }
-        const glm::dvec2& here = points[i].position;
-        is_corner[i] = glm::distance(here, points[(i + count - 1) % count].position) >= long_edge &&
-                       glm::distance(here, points[(i + 1) % count].position) >= long_edge;
+        const auto [least, most] = std::minmax(before[i], after[count - 1 - i]);
+        is_corner[i] = most >= long_piece || least >= medium_piece || (!closed && (i == 0 || i + 1 == count));
     }
     return is_corner;
 }

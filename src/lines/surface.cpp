@@ -67,12 +67,10 @@ bool Surface::exactly_front_facing(std::uint32_t face, const Viewpoint& view) co
 }
 
 std::vector<std::uint32_t> Surface::creases(double angle) const {
-    const double cosine = std::cos(angle);
+    const auto cosine = static_cast<float>(std::cos(angle));
     std::vector<std::uint32_t> found;
     for (std::uint32_t e = 0; e < pairs_.size(); ++e) {
-        const auto [first, second] = pairs_[e];
-        if (first == second) continue;
-        if (glm::dot(glm::vec3(planes_[first]), glm::vec3(planes_[second])) < cosine) found.push_back(e);
+        if (pairs_[e].first != pairs_[e].second && bend_cosine(pairs_[e]) < cosine) found.push_back(e);
     }
     return found;
 }

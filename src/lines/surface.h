@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <memory>
@@ -54,6 +55,11 @@ public:
     /// The faces at a vertex, in ascending order.
     [[nodiscard]] std::span<const std::uint32_t> faces_around(std::uint32_t vertex) const {
         return topology_->faces_around(vertex);
+    }
+
+    /// The cosine of the angle by which the surface bends between two faces: 1 where it is flat.
+    [[nodiscard]] float bend_cosine(FacePair pair) const {
+        return glm::dot(glm::vec3(planes_[pair.first]), glm::vec3(planes_[pair.second]));
     }
 
     /// True when the face's outer side is turned to the eye: n · (e − v) > 0 (seed D, section 2; seed E, 10.3.2).

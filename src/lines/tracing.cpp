@@ -1,5 +1,6 @@
 #include "lines/tracing.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -25,6 +26,14 @@ bool is_between(const ImagePoint& before, const ImagePoint& point, const ImagePo
     if (!(share > 0 && share < 1) || std::abs(whole.x * part.y - whole.y * part.x) > straight * length) return false;
     const double nearness = before.nearness + share * (after.nearness - before.nearness);
     return std::abs(nearness - point.nearness) <= straight_in_depth * std::abs(point.nearness);
+}
+
+/// True for a line that is seen end-on.
+bool is_point(std::span<const LinePoint> points) {
+    constexpr double smallest = 1e-5;  // pixels: above what ends are moved by
+    return std::all_of(points.begin(), points.end(), [&](const LinePoint& point) {
+        return glm::distance(point.position, points[0].position) < smallest;
+    });
 }
 
 }  // namespace
@@ -64,6 +73,10 @@ Drawing trace(const VisibilityTask& task, const Chains& chains, const std::vecto
         drawing.lines.push_back(line);
     }
     return drawing;
+}
+
+void drop_points(Drawing& drawing) {
+    std::erase_if(drawing.lines, [&](const Line& line) { return is_point(drawing.points_of(line)); });
 }
 
 }  // namespace croquis::lines

@@ -13,4 +13,7 @@ namespace croquis::lines {
 [[nodiscard]] Drawing trace(const VisibilityTask& task, const Chains& chains, const std::vector<Piece>& pieces,
                             const std::vector<ChainKey>& keys);
 
+/// Drops lines that are seen end-on, as points. Their points stay in the drawing, named by no line.
+void drop_points(Drawing& drawing);
+
 }  // namespace croquis::lines

@@ -20,24 +20,75 @@ def length(points, closed):
 
 
 class Path:
-    """One subpath of an SVG path: its points, whether it is closed, and the element's inherited attributes."""
+    """One subpath of an SVG path: its pieces, whether it is closed, and the element's inherited attributes.
 
-    def __init__(self, points, closed, attributes, groups):
-        self.points, self.closed, self.attributes, self.groups = points, closed, attributes, groups
+    A piece is a tuple of points: two of a straight piece, four of a cubic. `points` are places along all of them.
+    """
+
+    def __init__(self, pieces, closed, attributes, groups):
+        self.pieces, self.closed, self.attributes, self.groups = pieces, closed, attributes, groups
+        self.points = [pieces[0][0]]
+        for piece in pieces:
+            self.points += places(piece)[1:]
+        if closed and len(self.points) > 1 and math.dist(self.points[0], self.points[-1]) < 1e-9:
+            self.points.pop()
 
     @property
     def length(self):
         return length(self.points, self.closed)
 
 
+def places(piece, steps=16):
+    """Points along a piece, from its start to its end."""
+    if len(piece) == 2:
+        return list(piece)
+    found = []
+    for i in range(steps + 1):
+        t = i / steps
+        weights = (1 - t) ** 3, 3 * (1 - t) ** 2 * t, 3 * (1 - t) * t**2, t**3
+        found.append(tuple(sum(weight * point[side] for weight, point in zip(weights, piece)) for side in (0, 1)))
+    return found
+
+
+def straightened(path):
+    """The pieces of a path, cubics as many short straight ones."""
+    return [pair for piece in path.pieces for along in [places(piece, 64)] for pair in zip(along, along[1:])]
+
+
+def distance(point, pieces):
+    """From a point to the nearest of some straight pieces (a, b)."""
+    nearest = math.inf
+    for (ax, ay), (bx, by) in pieces:
+        along_x, along_y, from_x, from_y = bx - ax, by - ay, point[0] - ax, point[1] - ay
+        square = along_x * along_x + along_y * along_y
+        share = min(max((from_x * along_x + from_y * along_y) / square, 0.0), 1.0) if square > 0 else 0.0
+        nearest = min(nearest, math.hypot(from_x - share * along_x, from_y - share * along_y))
+    return nearest
+
+
 def subpaths(text):
-    """(points, closed) of each subpath of path data that has only M, L and Z with absolute numbers."""
-    if not re.fullmatch(r"(M-?[\d.]+ -?[\d.]+(L-?[\d.]+ -?[\d.]+( -?[\d.]+ -?[\d.]+)*)?Z?)+", text):
+    """(pieces, closed) of each subpath of path data that has M, l, c and Z alone."""
+    number = r"-?(?:\d+(?:\.\d+)?|\.\d+)"
+    pair = rf"{number}(?: |(?=-)){number}"
+    gap = r"(?: |(?=-))"
+    one = rf"M{pair}(?:l{pair}(?:{gap}{pair})*|c{pair}(?:{gap}{pair}){{2}}(?:{gap}{pair}(?:{gap}{pair}){{2}})*)*Z?"
+    if not re.fullmatch(rf"(?:{one})+", text):
         raise ValueError(f"unexpected path data {text[:200]}")
     found = []
     for part in re.findall(r"M[^M]+", text):
-        numbers = [float(number) for number in re.findall(r"-?[\d.]+", part)]
-        found.append((list(zip(numbers[::2], numbers[1::2])), part.endswith("Z")))
+        pen, pieces = (0.0, 0.0), []
+        for letter, data in re.findall(r"([Mlc])([^Mlc]+)", part):
+            numbers = [float(one) for one in re.findall(number, data)]
+            step = {"M": 2, "l": 2, "c": 6}[letter]
+            for i in range(0, len(numbers), step):
+                ends = [(pen[0] + numbers[j], pen[1] + numbers[j + 1]) for j in range(i, i + step, 2)]
+                pieces.append((pen, *ends))
+                pen = ends[-1]
+        closed = part.endswith("Z")
+        start, pieces = pieces[0][1], pieces[1:]
+        if closed and math.dist(pen, start) > 1e-9:
+            pieces.append((pen, start))
+        found.append((pieces or [(start, start)], closed))
     return found
 
 

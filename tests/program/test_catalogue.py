@@ -11,7 +11,7 @@ COMMANDS = ["render", "lines", "list", "describe", "doctor"]
 OPTIONS = {
     "render": ["--output", "--technique", "--set", "--size", "--view", "--eye", "--target", "--up", "--fov", "--fit",
                "--projection", "--light", "--light-color", "--background", "--samples", "--animation", "--time",
-               "--texture", "--seed", "--reference", "--threshold", "--list-passes", "--input-dir", "--data", "--gl",
+               "--texture", "--subdivide", "--scheme", "--seed", "--reference", "--threshold", "--list-passes", "--input-dir", "--data", "--gl",
                "--device"],
     "lines": ["--output", "--format", "--size", "--paper", "--landscape", "--margin", "--view", "--views", "--classes",
               "--width", "--hidden", "--hidden-width", "--crease-angle", "--fill", "--stroke", "--plotter", "--clean",

@@ -33,24 +33,32 @@ WRONG_OPTIONS = [
     (["--size", "0x10"], '--size: expected a size in pixels as WIDTHxHEIGHT, found "0x10"'),
     (["--size", "100000x10"], "expected a size of 1x1 to 65536x65536 pixels, found 100000x10"),
     (["--paper", "a9"], 'unknown paper "a9"; did you mean "a0"?'),
-    (["--paper", "0x10"], "expected a sheet of up to 10000 x 10000 mm, found 0 x 10"),
+    (["--paper", "0x10"], '--paper: expected millimetres above 0 as WIDTHxHEIGHT, found "0x10"'),
+    (["--paper", "0x0"], '--paper: expected millimetres above 0 as WIDTHxHEIGHT, found "0x0"'),
+    (["--paper", "20000x10"], "expected a sheet of up to 10000 x 10000 mm, found 20000 x 10"),
+    (["--landscape"], "--landscape: expected --paper with it, found none"),
     (["--paper", "a6", "--margin", "60"], "expected margins that leave something of the sheet of 105 x 148 mm, found 60 mm"),
     (["--margin", "-1"], "expected a margin of 0 to 10000 mm, found -1"),
     (["--fill", "black"], '--fill: expected none, white or regions, found "black"'),
     (["--fill", "white", "--plotter"], "expected no fill for a plotter, which draws lines alone"),
     (["--views", "front,sid"], 'unknown view "sid"'),
     (["--views", "front,front"], 'expected each view once on a sheet, found "front" twice'),
+    (["--views", ","], '--views: expected names of views, found ","'),
+    (["--views", ""], '--views: expected names of views, found ""'),
     (["--views", "front,top", "--eye", "1,2,3"], "--views are parallel views along the axes: they do not go with --eye"),
     (["--arrangement", "second"], '--arrangement: expected third or first, found "second"'),
     (["--clean", "--exact"], "expected --clean or --exact, found both"),
     (["--visibility", "raycast"], 'expected the visibility to be automatic, quantitative, walking, ray_cast or none, found "raycast"; did you mean "ray_cast"?'),
     (["--finder", "exhaustiv"], re.compile(r'.*"exhaustiv"; did you mean "exhaustive"\?')),
     (["--stroke", "technicl"], re.compile(r'.*"technicl".*; did you mean "technical"\?')),
+    (["--data", "nowhere"], "nowhere: no such data folder"),
     (["--format", "dxf"], '--format: expected svg, pdf or json, found "dxf"'),
     (["--subdivide", "9"], re.compile(r".*0 to 5.*9.*")),
     (["--subdivide", "1", "--scheme", "lop"], re.compile(r'.*"lop".*; did you mean "loop"\?')),
     (["--repeat", "0"], "--repeat: expected 1 to 10000, found 0"),
     (["--view", "fron"], 'unknown view "fron"; did you mean "front"?'),
+    (["--eye", "nan,0,0"], '--eye: expected three numbers as X,Y,Z, found "nan,0,0"'),
+    (["--view", "0,0,0"], "expected the view to have a direction, found 0,0,0"),
     (["--eye", "1,1"], '--eye: expected three numbers as X,Y,Z, found "1,1"'),
     (["--animation", "run"], f'{CUBE}: expected animation clip "run", found a model without clips'),
     (["--technique", "cartoon"], 'unknown argument "--technique"'),
@@ -77,6 +85,12 @@ ODD_MODELS = {
 def one_thread():
     """Leaves this process one processor, and so one thread."""
     os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})
+
+
+def between(a, b, step):
+    """Places from a to b, none farther than `step` from the next."""
+    count = max(1, math.ceil(math.dist(a, b) / step))
+    return [(a[0] + (b[0] - a[0]) * i / count, a[1] + (b[1] - a[1]) * i / count) for i in range(count + 1)]
 
 
 def obj_of_boxes(boxes):
@@ -244,6 +258,39 @@ class Svg(LinesTest):
         millimetres = sum(path.length for path in svg.paths("visible"))
         self.assertAlmostEqual(millimetres / (pixels * 25.4 / 96), 1, places=3)
 
+    def test_smooth_lines_are_curves(self):
+        """Curves pass every point of the JSON and leave the chain of points by less than half a pixel."""
+        for arguments in ([KNOT], [KNOT, "--plotter"], [KNOT, "--hidden", "dashed"], [KNOT, "--paper", "a3"]):
+            with self.subTest(arguments=arguments):
+                found, svg = self.json(*arguments), self.drawing(*arguments)
+                cubics = [piece for path in svg.paths() for piece in path.pieces if len(piece) == 4]
+                self.assertGreater(len(cubics), 50)
+                self.assertLess(len(cubics), sum(len(path["points"]) for path in found["paths"]) / 2)
+                margin = 10 if "--paper" in arguments else 0
+                pixel = (svg.width - 2 * margin) / found["width"]
+                chains = [path["points"] + path["points"][:1] if path["closed"] else path["points"] for path in found["paths"]]
+                pieces = [(a[:2], b[:2]) for chain in chains for a, b in zip(chain, chain[1:])]
+                for x, y in [place for path in svg.paths() for place in path.points][::11]:
+                    place = (x - margin) / pixel, (y - margin) / pixel
+                    self.assertLess(drawings.distance(place, pieces), 0.45)
+                if "--hidden" not in arguments:
+                    pieces = [piece for path in svg.paths() for piece in drawings.straightened(path)]
+                    for point in [point for path in found["paths"] for point in path["points"]][::7]:
+                        self.assertLess(drawings.distance((point[0] * pixel + margin, point[1] * pixel + margin), pieces), 0.15 * pixel)
+
+    def test_exact_lines_are_polylines(self):
+        for arguments in ([KNOT], [SCENE, "--plotter"]):
+            self.assertEqual({len(piece) for path in self.drawing(*arguments, "--exact").paths() for piece in path.pieces}, {2})
+
+    def test_polygons_stay_polygons(self):
+        """A cube has no curves, and its corners are where the JSON has them."""
+        svg, found = self.drawing(CUBE), self.json(CUBE)
+        self.assertEqual({len(piece) for path in svg.paths() for piece in path.pieces}, {2})
+        in_svg = [place for path in svg.paths() for piece in path.pieces for place in piece]
+        in_json = [(x * 25.4 / 96, y * 25.4 / 96) for path in found["paths"] for x, y, _ in path["points"]]
+        for ones, others in ((in_svg, in_json), (in_json, in_svg)):
+            self.assertEqual([place for place in ones if min(math.dist(place, other) for other in others) > 0.002], [])
+
     def test_picture_agrees_with_json(self):
         """Every point of a line is dark, and everything dark is a point of a line, within a pixel."""
         widths = [word for name in CLASSES.split(", ") for word in ("--width", f"{name}=0.265")]
@@ -314,6 +361,70 @@ class Fills(LinesTest):
         self.assert_regions(self.crossing_boxes())
 
 
+class Contours(LinesTest):
+    """The contour is where the picture of `croquis render` goes over from the model to nothing."""
+
+    WIDTH, HEIGHT = 480, 360
+    SIZE = ("--size", f"{WIDTH}x{HEIGHT}")
+
+    VIEWS = ["--view", "0.2,0.3,-1"], ["--view", "0.3,0.2,1", "--projection", "parallel"], ["--eye", "3,2,5", "--fov", "60"]
+
+    def edges(self, mask, least):
+        """Pixels covered so much that have a neighbour covered less, or the other way round."""
+        inside = [[pixel[3] > least for pixel in row] for row in mask.rows]
+        found = set()
+        for y in range(self.HEIGHT):
+            for x in range(self.WIDTH):
+                for i, j in ((x + 1, y), (x, y + 1)):
+                    if i < self.WIDTH and j < self.HEIGHT and inside[y][x] != inside[j][i]:
+                        found |= {(x, y), (i, j)}
+        return found
+
+    def assert_agrees(self, mask, svg, most_missing):
+        """No more edges of the picture than so many without a contour within a pixel, and no contour without an edge."""
+        places = [(x * 96 / 25.4, y * 96 / 25.4) for path in svg.paths() for a, b in drawings.straightened(path) for x, y in between(a, b, 0.1)]
+        pixels = {(int(x), int(y)) for x, y in places if x < self.WIDTH and y < self.HEIGHT}
+        near = lambda x, y: {(i, j) for i in (x - 1, x, x + 1) for j in (y - 1, y, y + 1)}
+        edges, with_slivers = self.edges(mask, 127), self.edges(mask, 127) | self.edges(mask, 0)
+        self.assertGreater(len(edges), 500)
+        missing = sorted(pixel for pixel in edges if not pixels & near(*pixel))
+        self.assertLessEqual(len(missing), most_missing * len(edges), missing)
+        # Holes may be smaller than the samples of a pixel see.
+        beyond = sorted(pixel for pixel in pixels if not with_slivers & near(*pixel))
+        self.assertLessEqual(len(beyond), 2, beyond)
+
+    def test_agrees_with_the_picture(self):
+        """Cleaning may leave out short pieces, and adds none."""
+        for model in (TEAPOT, KNOT, SCENE, self.crossing_boxes()):
+            for view in self.VIEWS:
+                mask = self.drawn(model, *view, "-t", "base", *self.SIZE, "--samples", "9", "--background", "transparent")
+                for how, most_missing in (("--exact", 0), ("--clean", 0.04)):
+                    with self.subTest(model=model, view=view, how=how):
+                        svg = self.drawing(model, *view, how, *self.SIZE, "--classes", "contour")
+                        self.assert_agrees(mask, svg, most_missing)
+
+    def test_subdivided(self):
+        """Both commands draw the same smooth surface; catmull-clark makes another one than loop."""
+        areas = []
+        for scheme in ("loop", "catmull-clark"):
+            options = ("--subdivide", "3", "--scheme", scheme, *self.SIZE)
+            mask = self.drawn(CUBE, *options, "-t", "base", "--samples", "4", "--background", "transparent")
+            self.assert_agrees(mask, self.drawing(CUBE, *options, "--exact", "--classes", "contour"), 0)
+            areas.append(sum(pixel[3] for row in mask.rows for pixel in row))
+        self.assertGreater(abs(areas[0] / areas[1] - 1), 0.02)
+        self.refused("expected 0 to 5 levels of subdivision, found 6", "render", CUBE, "--subdivide", "6")
+
+    def test_contours_alone(self):
+        """Of silhouettes, the contour is what has nothing behind it: no other class comes along."""
+        for options in ([], ["--exact"], ["--hidden", "dashed"], ["--visibility", "ray_cast"]):
+            found = self.json(TEAPOT, "--classes", "contour", *options)
+            self.assertEqual({path["class"] for path in found["paths"]}, {"contour"})
+            self.assertEqual({path["visible"] for path in found["paths"]}, {True})
+            everything = [path for path in self.json(TEAPOT, *options)["paths"] if path["class"] == "contour"]
+            ink = [sum(drawings.length(path["points"], path["closed"]) for path in paths) for paths in (found["paths"], everything)]
+            self.assertAlmostEqual(ink[0] / ink[1], 1, delta=0.01)
+
+
 class Plotter(LinesTest):
     def test_shorter_way_same_ink(self):
         self.write("own.mtl", MATERIALS)
@@ -343,12 +454,13 @@ class Plotter(LinesTest):
 
     def test_no_idle_points(self):
         for path in self.drawing(SCENE, "--plotter").paths():
-            points = path.points + path.points[:2] if path.closed else path.points
-            for a, b in zip(points, points[1:]):
-                self.assertNotEqual(a, b)
-            for a, b, c in zip(points, points[1:], points[2:]):
-                area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
-                if math.dist(a, c) > 0.1:
+            for piece in path.pieces:
+                self.assertNotEqual(piece[0], piece[-1])
+            following = path.pieces[1:] + path.pieces[:1] if path.closed else path.pieces[1:]
+            for one, other in zip(path.pieces, following):
+                (a, b, c) = one[0], one[-1], other[-1]
+                if len(one) == len(other) == 2 and math.dist(a, c) > 0.1:
+                    area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
                     self.assertGreater(abs(area) / math.dist(a, c), 0.001)
 
     def test_what_lies_twice_is_drawn_once(self):
