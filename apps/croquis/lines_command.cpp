@@ -12,6 +12,7 @@
 #include "commands.h"
 #include "parse.h"
 #include "progress.h"
+#include "subdivision_options.h"
 #include "view_options.h"
 
 namespace croquis::app {
@@ -43,8 +44,7 @@ struct LinesOptions {
     bool plotter = false;
     bool clean = false, exact = false;
     std::string visibility = "automatic", finder = "automatic";
-    int subdivisions = 0;
-    std::string scheme = "loop";
+    SubdivisionOptions subdivision;
     std::uint64_t seed = 0;
     bool timings = false;
     int repeat = 1;
@@ -116,10 +116,7 @@ void LinesOptions::add_lines_to(CLI::App& command) {
         .add_option("--finder", finder,
                     "Of silhouettes: automatic, exhaustive, hierarchy, randomised, gauss_map, gauss_map_overlapping")
         ->capture_default_str();
-    command.add_option("--subdivide", subdivisions, "Draw the smooth surface after so many subdivisions, 0 to 5")
-        ->check(check_whole_number)
-        ->capture_default_str();
-    command.add_option("--scheme", scheme, "Of subdivision: loop or catmull-clark")->capture_default_str();
+    subdivision.add_to(command);
     command.add_option("--seed", seed, "Seed of everything random")->check(check_whole_number)->capture_default_str();
 }
 
@@ -131,9 +128,11 @@ void LinesOptions::add_paper_to(CLI::App& command) {
         "a0 to a6, letter, legal, or millimetres as WIDTHxHEIGHT; as large as the frame at 96 pixels to the "
         "inch where none is named");
     command.add_flag("--landscape", landscape, "Lay the paper on its long side");
-    margin_ = command.add_option("--margin", margin, "Millimetres left free on all sides of the paper")
-                  ->check(check_number)
-                  ->capture_default_str();
+    margin_ =
+        command
+            .add_option("--margin", margin, "Millimetres left free on all sides; where not given none without --paper")
+            ->check(check_number)
+            ->capture_default_str();
     command.add_option("--views", views,
                        "Several parallel views of one scale on one sheet: front,top,right,iso, back, left, bottom");
     command.add_option("--arrangement", arrangement, "Of the views: third or first angle")->capture_default_str();
@@ -193,6 +192,9 @@ Paper parse_paper(const std::string& text) {
         Paper paper = Paper::named("a4");
         paper.width = std::stod(sides[0]);
         paper.height = std::stod(sides[1]);
+        if (!(paper.width > 0 && paper.height > 0)) {
+            fail("--paper: expected millimetres above 0 as WIDTHxHEIGHT, found \"{}\"", text);
+        }
         return paper;
     }
     return Paper::named(text);
@@ -201,6 +203,7 @@ Paper parse_paper(const std::string& text) {
 InkOptions LinesOptions::ink() const {
     InkOptions ink;
     if (!paper.empty()) ink.paper = parse_paper(paper);
+    if (landscape && paper.empty()) fail("--landscape: expected --paper with it, found none");
     if (landscape) ink.paper = ink.paper.landscape();
     if (margin_->count() > 0) ink.paper.margin = margin;
     for (const std::string& width : widths)
@@ -217,6 +220,7 @@ InkOptions LinesOptions::ink() const {
 }
 
 void LinesOptions::check_views() const {
+    if (split(views, ", ").empty()) fail("--views: expected names of views, found \"{}\"", views);
     for (const char* other : {"--view", "--fit", "--eye", "--target", "--up", "--fov", "--projection"}) {
         if (command_->count(other) > 0) {
             fail("--views are parallel views along the axes: they do not go with {}", other);
@@ -237,7 +241,7 @@ LineOptions LinesOptions::find() const {
     }
     find.view = view.view();
     find.views = split(views, ", ");
-    if (!find.views.empty()) check_views();
+    if (command_->count("--views") > 0) check_views();
     find.arrangement = LineOptions::Arrangement(choice(arrangement, "--arrangement", {"third", "first"}));
     find.animation = view.animation;
     find.time = view.time;
@@ -304,11 +308,6 @@ private:
     std::vector<std::pair<std::string, std::vector<double>>> steps_;
 };
 
-Model load(const LinesOptions& options) {
-    const Model model = Model::load(options.model);
-    return options.subdivisions == 0 ? model : model.subdivided(options.scheme, options.subdivisions);
-}
-
 // Each run starts from the file, so that nothing is found twice for the price of one.
 int run(const LinesOptions& options) {
     const LineOptions find = options.find();
@@ -322,7 +321,7 @@ int run(const LinesOptions& options) {
     std::string bytes;
     for (int i = 0; i < options.repeat; ++i) {
         const Clock::time_point start = Clock::now();
-        const Model model = load(options);
+        const Model model = options.subdivision.applied_to(Model::load(options.model));
         const double load_time = milliseconds_since(start);
         const LineDrawing drawing = draw_lines(model, find);
         const Clock::time_point before_write = Clock::now();

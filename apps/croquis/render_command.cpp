@@ -11,6 +11,7 @@
 #include "framework/data_folders.h"
 #include "parse.h"
 #include "progress.h"
+#include "subdivision_options.h"
 #include "view_options.h"
 
 namespace croquis::app {
@@ -34,6 +35,7 @@ struct RenderOptions {
     std::string background;
     int samples = 1;
     std::string texture;
+    SubdivisionOptions subdivision;
     std::uint64_t seed = 0;
     std::string output;
     std::string reference;
@@ -66,6 +68,7 @@ void RenderOptions::add_to(CLI::App& command) {
         ->check(check_whole_number)
         ->capture_default_str();
     command.add_option("--texture", texture, "Image for all surfaces in place of the materials' own");
+    subdivision.add_to(command);
     command.add_option("--seed", seed, "Seed of everything random")->check(check_whole_number)->capture_default_str();
     command.add_option("--reference", reference, "Picture to compare with; exit status 1 when it differs");
     command.add_option("--threshold", threshold, "Largest mean difference, or MEAN,MAXIMUM, in levels of 0 to 255")
@@ -175,7 +178,7 @@ int run(const RenderOptions& options) {
     for (const Job& job : jobs) {
         progress.next(job.model);
         try {
-            const Model model = Model::load(job.model, options.texture);
+            const Model model = options.subdivision.applied_to(Model::load(job.model, options.texture));
             const Picture picture = renderer.draw(model, technique, draw);
             if (!options.reference.empty()) all_match = matches_reference(picture, options) && all_match;
             if (!job.output.empty()) picture.save(job.output);

@@ -70,7 +70,7 @@ void check_width(const std::string& what, double width) {
 lines::StyleSet styles_of(const InkOptions& ink) {
     lines::StyleSet styles;
     const bool is_styled = ink.hidden == InkOptions::Hidden::styled;
-    if (ink.stroke.empty() && !is_styled) return styles;
+    if (ink.stroke.empty() && !is_styled && ink.data_folders.empty()) return styles;
     std::vector<std::filesystem::path> folders;
     const auto found = framework::DataFolders::find({ink.data_folders.begin(), ink.data_folders.end()});
     for (const std::filesystem::path& folder : found.folders()) folders.push_back(folder / "strokes");

@@ -12,38 +12,53 @@ constexpr double window = 4;        // pixels to each side over which places are
 constexpr double medium_piece = 8;  // pixels: where two such pieces meet is a corner of the model, no zigzag
 constexpr double long_piece = 12;   // pixels: its ends are
 
-/// One line as places by arc length. A closed one starts at its first point, which stays.
-class Curve {
+/// Means of what is given at the points of a line over stretches of it. A closed line has no end.
+class Averages {
 public:
-    Curve(std::span<const LinePoint> points, bool closed) {
-        for (const LinePoint& point : points) places_.push_back(point.position);
-        if (closed) places_.push_back(places_.front());
-        along_.push_back(0);
-        sum_.push_back(glm::dvec2(0.0));
-        for (std::size_t i = 1; i < places_.size(); ++i) {
-            const double length = glm::distance(places_[i - 1], places_[i]);
-            along_.push_back(along_.back() + length);
-            sum_.push_back(sum_.back() + 0.5 * length * (places_[i - 1] + places_[i]));
+    Averages(std::span<const LinePoint> points, bool closed) : closed_(closed) {
+        const std::size_t count = points.size() + (closed ? 1 : 0);
+        along_.reserve(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            const glm::dvec2 here = points[i % points.size()].position;
+            along_.push_back(i == 0 ? 0.0 : along_.back() + glm::distance(points[i - 1].position, here));
         }
     }
 
     [[nodiscard]] double length() const { return along_.back(); }
     [[nodiscard]] double along(std::size_t i) const { return along_[i]; }
 
-    /// The integral of the place from the start to a distance along the curve.
-    [[nodiscard]] glm::dvec2 integral(double along) const {
+    /// The means over `room[i]` to each side of each point; where there is none, the value itself.
+    [[nodiscard]] std::vector<glm::dvec2> of(const std::vector<glm::dvec2>& values, const std::vector<double>& room) {
+        sum_.assign(1, glm::dvec2(0.0));
+        for (std::size_t i = 1; i < along_.size(); ++i) {
+            const glm::dvec2 middle = 0.5 * (values[i - 1] + values[i % values.size()]);
+            sum_.push_back(sum_.back() + (along_[i] - along_[i - 1]) * middle);
+        }
+        std::vector<glm::dvec2> means = values;
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            if (!(room[i] > 1e-9)) continue;
+            const glm::dvec2 sum = integral(along_[i] + room[i], values) - integral(along_[i] - room[i], values);
+            means[i] = sum / (2 * room[i]);
+        }
+        return means;
+    }
+
+private:
+    /// From the first point to a distance along the line.
+    [[nodiscard]] glm::dvec2 integral(double along, const std::vector<glm::dvec2>& values) const {
+        if (closed_ && along < 0) return integral(along + length(), values) - sum_.back();
+        if (closed_ && along > length()) return integral(along - length(), values) + sum_.back();
         const auto after =
             std::clamp(std::upper_bound(along_.begin(), along_.end(), along), along_.begin() + 1, along_.end() - 1);
         const auto i = static_cast<std::size_t>(after - along_.begin());
         const double whole = along_[i] - along_[i - 1], part = along - along_[i - 1];
         if (!(whole > 0)) return sum_[i - 1];
-        const glm::dvec2 place = glm::mix(places_[i - 1], places_[i], part / whole);
-        return sum_[i - 1] + 0.5 * part * (places_[i - 1] + place);
+        const glm::dvec2 there = glm::mix(values[i - 1], values[i % values.size()], part / whole);
+        return sum_[i - 1] + 0.5 * part * (values[i - 1] + there);
     }
 
-private:
-    std::vector<glm::dvec2> places_;
-    std::vector<double> along_;
+    bool closed_;
+    std::vector<double> along_;  // of the points, and of the first again where the line is closed
     std::vector<glm::dvec2> sum_;
 };
 
@@ -81,30 +96,40 @@ std::vector<bool> corners_of(std::span<const LinePoint> points, bool closed) {
     return is_corner;
 }
 
-void smooth(std::vector<LinePoint>& points, bool closed, double limit) {
-    const std::vector<LinePoint> original = points;
+/// The distance from each point to the nearest corner, up to the window.
+std::vector<double> rooms_of(std::span<const LinePoint> points, bool closed, const Averages& line) {
     const std::vector<bool> is_corner = corners_of(points, closed);
-    for (int pass = 0; pass < 2; ++pass) {
-        const Curve curve(points, closed);
-        double last_corner = 0;
-        std::vector<double> room(points.size(), window);  // to the nearest corner
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            if (is_corner[i]) last_corner = curve.along(i);
-            room[i] = std::min(room[i], curve.along(i) - last_corner);
-        }
-        double next_corner = curve.length();
-        for (std::size_t i = points.size(); i-- > 0;) {
-            if (is_corner[i]) next_corner = curve.along(i);
-            room[i] = std::min(room[i], next_corner - curve.along(i));
-        }
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            if (!(room[i] > 1e-9)) continue;
-            const double s = curve.along(i);
-            const glm::dvec2 mean = (curve.integral(s + room[i]) - curve.integral(s - room[i])) / (2 * room[i]);
-            const glm::dvec2 shift = mean - original[i].position;
-            const double size = glm::length(shift);
-            points[i].position = original[i].position + (size > limit ? limit / size * shift : shift);
-        }
+    const std::size_t count = points.size();
+    std::vector<double> room(count, std::min(window, 0.25 * line.length()));
+    const std::size_t steps = closed ? 2 * count : count;
+    const auto along = [&](std::size_t i) { return line.along(i % count) + (i < count ? 0.0 : line.length()); };
+    double corner = -2 * window;
+    for (std::size_t i = 0; i < steps; ++i) {
+        if (is_corner[i % count]) corner = along(i);
+        room[i % count] = std::min(room[i % count], along(i) - corner);
+    }
+    corner = 2 * (line.length() + window);
+    for (std::size_t i = steps; i-- > 0;) {
+        if (is_corner[i % count]) corner = along(i);
+        room[i % count] = std::min(room[i % count], corner - along(i));
+    }
+    return room;
+}
+
+/// Averages over the window, twice. That alone would shrink round lines; so what it took away is averaged too and put
+/// back: zigzags are gone from it, roundness is not.
+void smooth(std::vector<LinePoint>& points, bool closed, double limit) {
+    Averages line(points, closed);
+    const std::vector<double> room = rooms_of(points, closed, line);
+    std::vector<glm::dvec2> places, taken;
+    for (const LinePoint& point : points) places.push_back(point.position);
+    const std::vector<glm::dvec2> means = line.of(line.of(places, room), room);
+    for (std::size_t i = 0; i < points.size(); ++i) taken.push_back(places[i] - means[i]);
+    const std::vector<glm::dvec2> put_back = line.of(line.of(taken, room), room);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const glm::dvec2 shift = means[i] + put_back[i] - places[i];
+        const double size = glm::length(shift);
+        points[i].position += size > limit ? limit / size * shift : shift;
     }
 }
 
