@@ -42,8 +42,9 @@ struct FinderInfo {
 /// All finders: "exhaustive", "randomised", "gauss_map", "gauss_map_overlapping", "hierarchy".
 [[nodiscard]] const std::vector<FinderInfo>& finder_infos();
 
-/// Makes a finder by name; "automatic" takes the fastest exact one for the surface's size. The surface must live as
-/// long. `seed` is for the randomised one. Throws Error with the nearest name.
+/// Makes a finder by name; "automatic" takes the fastest exact one for the surface's size, and for how many views it
+/// has found before. The surface must live as long. `seed` is for the randomised one. Throws Error with the nearest
+/// name.
 [[nodiscard]] std::unique_ptr<SilhouetteFinder> make_finder(std::string_view name, const Surface& surface,
                                                             std::uint64_t seed = 0);
 
