@@ -175,6 +175,11 @@ TEST(Cleaning, TakesTheCrumbsOfANoisySphere) {
         const Viewpoint view = view_from(*surface, direction);
         const Pair pair = draw_both(surface, view);
         EXPECT_GE(pair.exact.lines.size(), 3 * pair.clean.lines.size()) << pair.exact.lines.size();
+        const auto crumbs_of = [](const Drawing& drawing) {
+            return std::count_if(drawing.lines.begin(), drawing.lines.end(),
+                                 [&](const Line& line) { return lines::length_of(drawing, line) < 12; });
+        };
+        EXPECT_GE(crumbs_of(pair.exact), 20 * crumbs_of(pair.clean)) << crumbs_of(pair.exact);
         // What is left is the sphere's outline all around.
         const glm::dvec2 middle(0.5 * view.width, 0.5 * view.height);
         std::vector<bool> seen(120, false);

@@ -267,8 +267,9 @@ TEST(NonGeneric, AStairFromTheFront) {
         profile.emplace_back(steps - i, i);
         profile.emplace_back(steps - i, i + 1);
     }
-    profile.emplace_back(0, steps);
-    profile.emplace_back(0, 0);
+    // Back wall and floor are cut where the ends of the steps are, so that edges meet edges.
+    for (int i = steps; i >= 0; --i) profile.emplace_back(0, i);
+    for (int i = 1; i < steps; ++i) profile.emplace_back(i, 0);
     const auto at = [&](std::size_t i, double x) {
         const glm::dvec2& p = profile[i % profile.size()];
         return glm::vec3(static_cast<float>(x), static_cast<float>(p.y), static_cast<float>(p.x));
@@ -281,18 +282,18 @@ TEST(NonGeneric, AStairFromTheFront) {
     for (int i = 0; i < steps; ++i) {  // both ends of each step, from the back wall to its riser
         const float y = static_cast<float>(i), z = static_cast<float>(steps - i);
         for (const float x : {-3.0f, 3.0f}) {
-            // The wall's lower part is cut where steps end, so that edges meet edges.
             Corners end;
             for (int k = 0; k < steps - i; ++k) {
                 const float near = z - static_cast<float>(k), far = near - 1;
                 const Corners cell = quad_corners({x, y, far}, {x, y, near}, {x, y + 1, near}, {x, y + 1, far});
                 end.insert(end.end(), cell.begin(), cell.end());
             }
-            if (x > 0) end = inside_out(end);
+            if (x < 0) end = inside_out(end);
             corners.insert(corners.end(), end.begin(), end.end());
         }
     }
     const SurfacePointer surface = surface_of({inside_out(corners)});
+    ASSERT_TRUE(surface->topology().mesh_is_solid[0] && !surface->topology().mesh_is_inverted[0]);
     const Viewpoint view = exact_view({0, 0, 1}, Projection::parallel);
     std::vector<Stroke3> strokes;
     const auto add = [&](const glm::dvec3& a, const glm::dvec3& b, LineClass line_class) {

@@ -201,6 +201,32 @@ TEST(Curves, CornersBetweenArcsStay) {
     }
 }
 
+TEST(Curves, FinePointsKeepCorners) {
+    Points points;
+    for (int i = 0; i <= 200; ++i) points.push_back({0.2 * i, 0});
+    for (int i = 1; i <= 200; ++i) points.push_back({40, 0.2 * i});
+    const Curve curve = fit_curve(points, false);
+    ASSERT_EQ(curve.pieces.size(), 2u);
+    EXPECT_EQ(curve.pieces[0].kind, straight);
+    EXPECT_EQ(curve.pieces[0].end, glm::dvec2(40, 0));
+    EXPECT_EQ(curve.pieces[1].kind, straight);
+}
+
+// A straight piece that an arc leaves at 40 degrees: the arc is one from the corner on.
+TEST(Curves, ArcBeginsAtACorner) {
+    Points points{{-100, 0}};
+    const auto place = [](double angle) { return 60.0 * glm::dvec2(std::sin(angle), -std::cos(angle)); };
+    const double first = 40 * pi / 180;
+    for (int i = 0; i <= 30; ++i) points.push_back(place(first + 0.04 * i) - place(first));
+    const CurveLimits limits;
+    const Curve curve = fit_curve(points, false, limits);
+    expect_near(points, false, curve, limits);
+    ASSERT_GE(curve.pieces.size(), 2u);
+    EXPECT_EQ(curve.pieces[0].end, glm::dvec2(0, 0));
+    for (std::size_t i = 1; i < curve.pieces.size(); ++i) EXPECT_EQ(curve.pieces[i].kind, CurvePiece::Kind::cubic);
+    EXPECT_NEAR(turns_of(curve)[0], 40, 1);
+}
+
 // Chains with steps of all lengths and turns, as no good line has them.
 TEST(Curves, RandomChainsAreKept) {
     const Random chance(7, "chains");

@@ -272,7 +272,7 @@ class Svg(LinesTest):
                 pieces = [(a[:2], b[:2]) for chain in chains for a, b in zip(chain, chain[1:])]
                 for x, y in [place for path in svg.paths() for place in path.points][::11]:
                     place = (x - margin) / pixel, (y - margin) / pixel
-                    self.assertLess(drawings.distance(place, pieces), 0.45)
+                    self.assertLess(drawings.distance(place, pieces), 0.35)
                 if "--hidden" not in arguments:
                     pieces = [piece for path in svg.paths() for piece in drawings.straightened(path)]
                     for point in [point for path in found["paths"] for point in path["points"]][::7]:
@@ -413,6 +413,12 @@ class Contours(LinesTest):
             areas.append(sum(pixel[3] for row in mask.rows for pixel in row))
         self.assertGreater(abs(areas[0] / areas[1] - 1), 0.005)
         self.refused("expected 0 to 5 levels of subdivision, found 6", "render", CUBE, "--subdivide", "6")
+
+    def test_closed_outlines(self):
+        """Where one contour comes out from behind another, a plotter's pen goes on: outlines, and holes, are closed."""
+        for arguments, outlines in (([TEAPOT], 1), ([TEAPOT, "--exact"], 1), ([KNOT], 3), ([KNOT, "--exact"], 3), ([SCENE, "--exact"], 2)):
+            paths = self.drawing(*arguments, "--classes", "contour", "--plotter").paths()
+            self.assertEqual([path.closed for path in paths], outlines * [True], arguments)
 
     def test_contours_alone(self):
         """Of silhouettes, the contour is what has nothing behind it: no other class comes along."""
