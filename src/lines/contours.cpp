@@ -11,6 +11,9 @@ namespace {
 
 /// How far beside the line, in pixels, one looks past it.
 constexpr double aside = 2e-3;
+/// Along lines longer than this one looks again: in views along faces, what lies behind may begin or end at no
+/// crossing.
+constexpr double longest_run = 16;  // pixels
 
 bool is_outline_class(LineClass line_class) {
     return line_class == LineClass::silhouette || line_class == LineClass::border;
@@ -50,6 +53,12 @@ bool has_nothing_behind(const VisibilityTask& task, const LayerProbe& probe, con
     return probe.is_open_behind(edge, point);
 }
 
+double length_of(const VisibilityTask& task, const Piece& piece) {
+    const ImageEdge& edge = task.edges.edges()[piece.edge];
+    return (piece.to - piece.from) *
+           glm::distance(task.edges.vertices()[edge.a].position, task.edges.vertices()[edge.b].position);
+}
+
 /// From the start of a link to its end.
 glm::dvec2 direction_of(const VisibilityTask& task, const std::vector<Piece>& pieces, const Link& link) {
     const ImageEdge& edge = task.edges.edges()[pieces[link.piece].edge];
@@ -86,7 +95,11 @@ void find_contours(const VisibilityTask& task, const LayerProbe& probe, std::vec
             std::size_t first = 0;
             while (first < links.size()) {
                 std::size_t last = first + 1;
-                while (last < links.size() && is_plain_joint(task, pieces, links[last - 1], links[last])) ++last;
+                double length = length_of(task, pieces[links[first].piece]);
+                while (last < links.size() && length < longest_run &&
+                       is_plain_joint(task, pieces, links[last - 1], links[last])) {
+                    length += length_of(task, pieces[links[last++].piece]);
+                }
                 const auto run = links.subspan(first, last - first);
                 const Link longest = *std::max_element(run.begin(), run.end(), [&](const Link& x, const Link& y) {
                     return pieces[x.piece].to - pieces[x.piece].from < pieces[y.piece].to - pieces[y.piece].from;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
+#include <numeric>
 
 #include "base/parallel.h"
 #include "lines/cleaning.h"
@@ -155,17 +156,17 @@ bool is_crumb(LineClass line_class, const Merit& merit, const CleaningLimits& li
 /// The visible lines around a line.
 class Neighbours {
 public:
-    Neighbours(const Drawing& drawing, const std::vector<Merit>& merits, double near)
-        : drawing_(drawing), merits_(merits), grid_(drawing, near), near_(near) {}
+    Neighbours(const Drawing& drawing, double near) : drawing_(drawing), grid_(drawing, near), near_(near) {}
 
-    /// True for a line that runs beside longer ones, of its class or one that comes before it, over all its length.
-    [[nodiscard]] bool cover(std::uint32_t line) const {
+    /// True for a line that runs, over all its length, beside those of the chosen lines that are of its class or of one
+    /// that comes before it.
+    [[nodiscard]] bool cover(std::uint32_t line, const std::vector<bool>& chosen) const {
         const auto points = drawing_.points_of(drawing_.lines[line]);
         for (std::size_t i = 0; i + 1 < points.size(); ++i) {
             const glm::dvec2 &from = points[i].position, &to = points[i + 1].position;
             const int samples = 1 + static_cast<int>(glm::distance(from, to) / near_);
             for (int k = 0; k <= samples; ++k) {
-                if (!cover(glm::mix(from, to, double(k) / samples), line)) return false;
+                if (!cover(glm::mix(from, to, double(k) / samples), line, chosen)) return false;
             }
         }
         return true;
@@ -178,18 +179,25 @@ public:
     }
 
 private:
-    [[nodiscard]] bool cover(const glm::dvec2& point, std::uint32_t line) const {
+    [[nodiscard]] bool cover(const glm::dvec2& point, std::uint32_t line, const std::vector<bool>& chosen) const {
         bool covered = false;
         grid_.visit_near(point, near_, [&](const SegmentGrid::Nearest& nearest) {
-            if (nearest.line == line || nearest.distance > near_) return;
-            const bool longer = merits_[nearest.line].length > merits_[line].length;
-            covered = covered || (longer && drawing_.lines[nearest.line].line_class <= drawing_.lines[line].line_class);
+            if (nearest.line == line || !chosen[nearest.line] || nearest.distance > near_) return;
+            // What runs on beyond the end of another would leave a gap.
+            if (is_at_end(nearest) && nearest.distance > touching) return;
+            covered = covered || drawing_.lines[nearest.line].line_class <= drawing_.lines[line].line_class;
         });
         return covered;
     }
 
+    [[nodiscard]] bool is_at_end(const SegmentGrid::Nearest& nearest) const {
+        const Line& line = drawing_.lines[nearest.line];
+        if (line.closed) return false;
+        return (nearest.segment == 0 && nearest.share <= 0) ||
+               (nearest.segment + 2 == line.point_count && nearest.share >= 1);
+    }
+
     [[nodiscard]] bool holds(const glm::dvec2& end, std::uint32_t line) const {
-        constexpr double touching = 0.75;  // pixels: ends have been moved by the joining of others
         bool held = false;
         grid_.visit_near(end, touching, [&](const SegmentGrid::Nearest& nearest) {
             held = held || (nearest.line != line && nearest.distance <= touching);
@@ -197,32 +205,48 @@ private:
         return held;
     }
 
+    static constexpr double touching = 0.75;  // pixels: ends have been moved by the joining of others
+
     const Drawing& drawing_;
-    const std::vector<Merit>& merits_;
     SegmentGrid grid_;
     double near_;
 };
 
+/// Which lines to keep: from long ones to short ones, those that are no crumbs and run beside none that is kept.
+std::vector<bool> kept_lines(const Drawing& drawing, const CleaningLimits& limits, const std::vector<Merit>& merits) {
+    const Neighbours neighbours(drawing, limits.shadow);
+    std::vector<std::uint32_t> order(drawing.lines.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::uint32_t x, std::uint32_t y) { return merits[x].length > merits[y].length; });
+    std::vector<bool> kept(drawing.lines.size(), false);
+    for (const std::uint32_t l : order) {
+        const Line& line = drawing.lines[l];
+        if (!line.visible()) {
+            kept[l] = merits[l].length >= limits.crumb || merits[l].company >= limits.crumb;
+            continue;
+        }
+        const bool connects = line.line_class > LineClass::silhouette && neighbours.hold_both_ends(l);
+        if (is_crumb(line.line_class, merits[l], limits) && !connects) continue;
+        kept[l] = merits[l].length >= limits.long_line || !neighbours.cover(l, kept);
+    }
+    return kept;
+}
+
 }  // namespace
 
 Drawing without_crumbs(const Drawing& drawing, const CleaningLimits& limits, const std::vector<Merit>& merits) {
-    const Neighbours neighbours(drawing, merits, limits.shadow);
-    Drawing kept{drawing.width, drawing.height, {}, {}};
+    const std::vector<bool> kept = kept_lines(drawing, limits, merits);
+    Drawing result{drawing.width, drawing.height, {}, {}};
     for (std::uint32_t l = 0; l < drawing.lines.size(); ++l) {
+        if (!kept[l]) continue;
         Line line = drawing.lines[l];
         const std::span<const LinePoint> points = drawing.points_of(line);
-        if (line.visible()) {
-            const bool connects = line.line_class > LineClass::silhouette && neighbours.hold_both_ends(l);
-            if (is_crumb(line.line_class, merits[l], limits) && !connects) continue;
-            if (merits[l].length < limits.long_line && neighbours.cover(l)) continue;
-        } else if (merits[l].length < limits.crumb && merits[l].company < limits.crumb) {
-            continue;
-        }
-        line.first_point = static_cast<std::uint32_t>(kept.points.size());
-        kept.points.insert(kept.points.end(), points.begin(), points.end());
-        kept.lines.push_back(line);
+        line.first_point = static_cast<std::uint32_t>(result.points.size());
+        result.points.insert(result.points.end(), points.begin(), points.end());
+        result.lines.push_back(line);
     }
-    return kept;
+    return result;
 }
 
 }  // namespace croquis::lines

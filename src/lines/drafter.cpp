@@ -117,12 +117,12 @@ Look Drafter::State::look_at(const Viewpoint& view, std::span<const std::uint32_
     if (options.visibility == Visibility::none) return look;
     if (options.visibility == Visibility::walking && Walker::serves(*surface, view)) {
         look.walker = std::make_unique<Walker>(*surface, view, edges, silhouettes);
-        look.start = std::make_unique<WalkProbe>(*look.walker, *surface, edges, view, 0.0);
+        look.start = std::make_unique<WalkProbe>(*look.walker, *surface, edges, view, touching);
         look.robust = std::make_unique<WalkProbe>(*look.walker, *surface, edges, view, touching);
         return look;
     }
     if (!rays) rays = std::make_unique<RayCaster>(*surface);
-    look.start = std::make_unique<RayProbe>(*rays, *surface, edges, view, 0.0);
+    look.start = std::make_unique<RayProbe>(*rays, *surface, edges, view, touching);
     look.robust = std::make_unique<RayProbe>(*rays, *surface, edges, view, touching);
     return look;
 }

@@ -156,7 +156,9 @@ ImageEdges::Candidate ImageEdges::of_cut(const Gathering& gathering, std::uint32
     return projected(gathering.view, edge, {end(a), end(b)});
 }
 
-ImageEdges::Candidate ImageEdges::projected(const Viewpoint& view, const ImageEdge& edge) const {
+ImageEdges::Candidate ImageEdges::projected(const Viewpoint& view, ImageEdge edge) const {
+    const FacePair pair = surface_.pairs()[edge.edge];
+    edge.is_edge_on = surface_.is_edge_on(pair.first, view) || surface_.is_edge_on(pair.second, view);
     const auto& [a, b] = surface_.topology().edges[edge.edge].vertices;
     return projected(view, edge, {End{surface_.point(a), a}, End{surface_.point(b), b}});
 }

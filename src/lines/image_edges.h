@@ -34,7 +34,9 @@ struct ImageEdge {
     LineClass line_class = LineClass::silhouette;
     bool is_line = false;     ///< to be drawn; else it only hides
     bool never_seen = false;  ///< a concave silhouette or a turned away crease of a solid: its own body hides it
-    bool is_sharp = false;    ///< of a regular silhouette: it bends as a crease does
+    /// One of its faces is seen edge-on: at its ends and beside it, what hides what is a matter of rounding.
+    bool is_edge_on = false;
+    bool is_sharp = false;  ///< of a regular silhouette: it bends as a crease does
     /// Of a regular silhouette: 1 where it is convex, its nearer face turned to the eye (seed D calls it front facing),
     /// -1 where it is concave; 0 where that is too close to call, and for other edges.
     std::int8_t bend = 0;
@@ -99,7 +101,7 @@ private:
     [[nodiscard]] Candidate of_feature(const Gathering& gathering, const Feature& feature) const;
     [[nodiscard]] Candidate of_irregular(const Gathering& gathering, const IrregularEdge& irregular) const;
     [[nodiscard]] Candidate of_cut(const Gathering& gathering, std::uint32_t segment) const;
-    [[nodiscard]] Candidate projected(const Viewpoint& view, const ImageEdge& edge) const;
+    [[nodiscard]] Candidate projected(const Viewpoint& view, ImageEdge edge) const;
     [[nodiscard]] Candidate projected(const Viewpoint& view, const ImageEdge& edge, std::array<End, 2> ends) const;
     void place(const Candidate& candidate);
     [[nodiscard]] std::uint32_t placed(const ImagePoint& point, std::uint32_t number);

@@ -118,6 +118,7 @@ private:
 
     void measure(std::uint32_t e, Cluster& cluster) {
         const ImageEdge& edge = task_.edges.edges()[e];
+        cluster.is_doubtful |= edge.is_edge_on;
         for (const Crossing& crossing : crossings_.of(e)) {
             cluster.is_doubtful |= crossing.is_doubtful;
             cluster.is_pierced |= crossing.is_piercing;

@@ -58,12 +58,13 @@ void Surface::make_pairs() {
     }
 }
 
-bool Surface::exactly_front_facing(std::uint32_t face, const Viewpoint& view) const {
+double Surface::eye_sine(std::uint32_t face, const Viewpoint& view) const {
     const auto& [a, b, c] = topology_->faces[face].vertices;
     const glm::dvec3 corner = point(a);
     const glm::dvec3 area = glm::cross(point(b) - corner, point(c) - corner);
     const glm::dvec3 ray = view.towards_eye(corner);
-    return glm::dot(area, ray) > edge_on_sine * glm::length(area) * glm::length(ray);
+    const double size = glm::length(area) * glm::length(ray);
+    return size > 0 ? glm::dot(area, ray) / size : 0.0;
 }
 
 std::vector<std::uint32_t> Surface::creases(double angle) const {

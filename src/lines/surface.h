@@ -65,13 +65,13 @@ public:
     /// True when the face's outer side is turned to the eye: n · (e − v) > 0 (seed D, section 2; seed E, 10.3.2).
     /// A face seen edge-on, within `edge_on_sine`, counts as turned away. Decided in double precision.
     [[nodiscard]] bool front_facing(std::uint32_t face, const Viewpoint& view) const {
-        const glm::vec4& plane = planes_[face];
-        const double height = view.projection == model::Projection::perspective
-                                  ? plane.x * view.eye.x + plane.y * view.eye.y + plane.z * view.eye.z + plane.w
-                                  : plane.x * view.back.x + plane.y * view.back.y + plane.z * view.back.z;
-        // Single precision errs by some 1e-6 for an eye within a few units of the model.
-        const double doubt = 4e-6 * (1.0 + eye_reach(view));
-        return height > doubt || (height > -doubt && exactly_front_facing(face, view));
+        const double height = eye_height(planes_[face], view), doubt = eye_doubt(view);
+        return height > doubt || (height > -doubt && eye_sine(face, view) > edge_on_sine);
+    }
+
+    /// True when a face is seen so nearly along its plane that rounding decides which side of it one sees.
+    [[nodiscard]] bool is_edge_on(std::uint32_t face, const Viewpoint& view) const {
+        return std::abs(eye_height(planes_[face], view)) <= eye_doubt(view) && std::abs(eye_sine(face, view)) < 4e-7;
     }
 
     /// Sine of the angle between a face and the view ray below which the face counts as seen edge-on: the noise of
@@ -85,12 +85,19 @@ public:
     [[nodiscard]] std::vector<std::uint32_t> material_boundaries() const;
 
 private:
-    static double eye_reach(const Viewpoint& view) {
+    /// The eye's height over a plane; in a parallel projection, that of the direction to it.
+    static double eye_height(const glm::vec4& plane, const Viewpoint& view) {
         return view.projection == model::Projection::perspective
-                   ? std::abs(view.eye.x) + std::abs(view.eye.y) + std::abs(view.eye.z)
-                   : 0.0;
+                   ? plane.x * view.eye.x + plane.y * view.eye.y + plane.z * view.eye.z + plane.w
+                   : plane.x * view.back.x + plane.y * view.back.y + plane.z * view.back.z;
     }
-    [[nodiscard]] bool exactly_front_facing(std::uint32_t face, const Viewpoint& view) const;
+    /// Single precision errs by some 1e-6 for an eye within a few units of the model.
+    static double eye_doubt(const Viewpoint& view) {
+        const bool perspective = view.projection == model::Projection::perspective;
+        return 4e-6 * (1.0 + (perspective ? std::abs(view.eye.x) + std::abs(view.eye.y) + std::abs(view.eye.z) : 0.0));
+    }
+    /// Sine of the angle between a face and the ray to the eye, in double precision; 0 for a face without area.
+    [[nodiscard]] double eye_sine(std::uint32_t face, const Viewpoint& view) const;
     void make_planes();
     void make_pairs();
 
