@@ -18,11 +18,20 @@ if(CROQUIS_FUZZ)
   target_link_options(croquis_flags INTERFACE -fsanitize=address,undefined)
 endif()
 
+# What most files include. Tests add GoogleTest.
+function(croquis_precompile target)
+  if(CROQUIS_PRECOMPILE)
+    target_precompile_headers(${target} PRIVATE <algorithm> <cmath> <filesystem> <functional> <memory> <optional> <span>
+                              <string> <vector> <fmt/format.h> <glm/geometric.hpp> <tbb/parallel_for.h> ${ARGN})
+  endif()
+endfunction()
+
 # croquis_library(NAME SOURCES file... USES library...): src/NAME as the static library croquis_NAME.
 function(croquis_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;USES" ${ARGN})
   add_library(croquis_${name} STATIC ${ARG_SOURCES})
   target_link_libraries(croquis_${name} PUBLIC $<BUILD_INTERFACE:croquis_flags> ${ARG_USES})
+  croquis_precompile(croquis_${name})
 endfunction()
 
 # croquis_package(TARGET module...): a Debian library found by pkg-config, its headers taken as system headers.

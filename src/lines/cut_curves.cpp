@@ -19,7 +19,7 @@ namespace {
 /// Up to this length, in scene units, doubtful segments between two certain ones count.
 constexpr double longest_bridge = 1e-3;
 /// Pairs of faces with overlapping boxes that are looked at. A well-made model has some 20 a face.
-constexpr std::size_t most_pairs_a_face = 256;
+constexpr std::size_t most_pairs_a_face = 64;
 constexpr std::size_t most_pairs_of_few_faces = 4'000'000;
 
 /// Nothing for a tangle.
@@ -32,10 +32,11 @@ std::optional<std::vector<FaceCut>> find_cuts(const Surface& surface, const Gene
     std::atomic<std::size_t> pairs = 0;
     parallel_for(shares.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            tree.visit_overlaps(shares[i], [&](std::uint32_t face, std::span<const std::uint32_t> others) {
-                if (pairs.fetch_add(others.size(), std::memory_order_relaxed) > most_pairs) return;
+            const auto cut = [&](std::uint32_t face, std::span<const std::uint32_t> others) {
+                pairs.fetch_add(others.size(), std::memory_order_relaxed);
                 cutter.cut(face, others, found[i]);
-            });
+            };
+            tree.visit_overlaps(shares[i], cut, [&] { return pairs.load(std::memory_order_relaxed) > most_pairs; });
         }
     });
     if (pairs > most_pairs) return std::nullopt;

@@ -29,12 +29,12 @@ struct CutNode {
 struct CutCurves {
     std::vector<CutNode> nodes;
     std::vector<CutSegment> segments;
-    bool is_tangle = false;  ///< too many faces lie in each other's way; then there are no segments
+    bool is_tangle = false;  ///< too many faces lie close together; then there are no segments
 };
 
 /// All curves in which faces of the surface pass through each other. Independent of the view and of the number of
 /// threads. Time and memory grow with the faces, and with the pairs of faces whose boxes overlap; where these are more
-/// than some hundred a face, as in a heap of random triangles, the search gives up.
+/// than some dozens a face, as in a heap of random triangles, the search gives up.
 ///
 /// Curves close, or end where a border passes through a face or faces begin to cut at a vertex that they share: the
 /// question is decided exactly for points moved by half a rounding of single precision (GeneralPosition). Faces that

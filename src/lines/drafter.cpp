@@ -72,7 +72,7 @@ struct Drafter::State {
           features(*surface, findable(options), options.crease_angle),
           edges(*surface) {
         if (features.cuts.is_tangle) {
-            warn("expected faces that pass through few others, found a tangle; drawn without intersections");
+            warn("too many faces lie close together to look for intersections; drawn without");
         }
         if (options.visibility == Visibility::none) return;
         if (options.visibility != Visibility::walking || options.clean) rays = std::make_unique<RayCaster>(*surface);

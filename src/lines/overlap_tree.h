@@ -28,11 +28,12 @@ public:
     [[nodiscard]] std::vector<NodePair> shares() const;
 
     /// Calls `visit(face, others)` for faces below two nodes, with the faces whose boxes overlap the face's: each pair
-    /// once.
-    template <typename Visit>
-    void visit_overlaps(const NodePair& pair, const Visit& visit) const {
+    /// once, until `is_enough()`.
+    template <typename Visit, typename Enough>
+    void visit_overlaps(const NodePair& pair, const Visit& visit, const Enough& is_enough) const {
+        if (is_enough()) return;
         if (pair.level == 0) return visit_leaves(pair.first, pair.second, visit);
-        for_children(pair, [&](const NodePair& children) { visit_overlaps(children, visit); });
+        for_children(pair, [&](const NodePair& children) { visit_overlaps(children, visit, is_enough); });
     }
 
 private:

@@ -17,15 +17,32 @@ glm::vec3 normal_of(const Surface& surface, FacePair pair) {
     return length > 1e-6f ? sum / length : glm::vec3(surface.planes()[pair.first]);
 }
 
-/// True when a point says nothing that its neighbours do not, in place or in depth.
-bool is_between(const ImagePoint& before, const ImagePoint& point, const ImagePoint& after) {
+/// True when a point says nothing that its neighbours do not, in place or in depth: it lies within `tolerance` pixels
+/// of the line between them. What is used up of the tolerance is taken off.
+bool is_between(const ImagePoint& before, const ImagePoint& point, const ImagePoint& after, double& tolerance) {
     const glm::dvec2 whole = after.position - before.position, part = point.position - before.position;
     const double length = glm::length(whole);
     if (!(length > 0)) return false;
     const double share = glm::dot(whole, part) / (length * length);
-    if (!(share > 0 && share < 1) || std::abs(whole.x * part.y - whole.y * part.x) > straight * length) return false;
+    const double distance = std::abs(whole.x * part.y - whole.y * part.x) / length;
+    if (!(share > 0 && share < 1) || distance > tolerance) return false;
     const double nearness = before.nearness + share * (after.nearness - before.nearness);
-    return std::abs(nearness - point.nearness) <= straight_in_depth * std::abs(point.nearness);
+    if (std::abs(nearness - point.nearness) > straight_in_depth * std::abs(point.nearness)) return false;
+    tolerance -= distance;
+    return true;
+}
+
+/// A closed line begins wherever its first piece does: points about its seam that say nothing go too.
+void mend_seam(std::vector<ImagePoint>& image, std::vector<LinePoint>& points, std::uint32_t first_point) {
+    double tolerance = straight;
+    if (image.size() > 3 && is_between(image[image.size() - 2], image.back(), image.front(), tolerance)) {
+        image.pop_back();
+        points.pop_back();
+    }
+    if (image.size() > 3 && is_between(image.back(), image[0], image[1], tolerance)) {
+        image.erase(image.begin());
+        points.erase(points.begin() + first_point);
+    }
 }
 
 /// True for a line that is seen end-on.
@@ -50,17 +67,19 @@ Drawing trace(const VisibilityTask& task, const Chains& chains, const std::vecto
         Line line{key.line_class, key.mesh, key.layers, chain.closed};
         line.first_point = static_cast<std::uint32_t>(drawing.points.size());
         image.clear();
+        double tolerance = straight;  // of the straight piece at hand: a fine curve is no such piece
         const auto add = [&](const ImageEdge& edge, double share) {
             const ImagePoint point = task.edges.point_at(edge, share);
             const LinePoint next{point.position, task.view.distance_of(point.nearness),
                                  normal_of(task.surface, task.edges.faces_of(edge))};
             const std::size_t count = image.size();
-            if (count >= 2 && is_between(image[count - 2], image[count - 1], point)) {
+            if (count >= 2 && is_between(image[count - 2], image[count - 1], point, tolerance)) {
                 drawing.points.back() = next;
                 image.back() = point;
             } else {
                 drawing.points.push_back(next);
                 image.push_back(point);
+                tolerance = straight;
             }
         };
         for (std::size_t i = 0; i < links.size(); ++i) {
@@ -69,6 +88,7 @@ Drawing trace(const VisibilityTask& task, const Chains& chains, const std::vecto
             if (i == 0) add(edge, links[i].reversed ? piece.to : piece.from);
             if (i + 1 < links.size() || !chain.closed) add(edge, links[i].reversed ? piece.from : piece.to);
         }
+        if (chain.closed) mend_seam(image, drawing.points, line.first_point);
         line.point_count = static_cast<std::uint32_t>(drawing.points.size()) - line.first_point;
         drawing.lines.push_back(line);
     }

@@ -88,7 +88,9 @@ void probe_edge(const VisibilityTask& task, const CrossingsByEdge& crossings, co
         to = std::clamp(to, inside.from, inside.to);
         if (!(from < to)) return;
         const std::uint32_t at_most = task.count_layers ? 0xffffffffu : 1u;
-        append_piece(pieces, {image_edge, from, to, probe.layers(edge, 0.5 * (from + to), at_most)});
+        // Where all lines up exactly, what its own body hides may count as seen.
+        const std::uint32_t fewest = edge.never_seen ? 1 : 0;
+        append_piece(pieces, {image_edge, from, to, std::max(probe.layers(edge, 0.5 * (from + to), at_most), fewest)});
         from = to;
     };
     for (const Crossing& crossing : crossings.of(image_edge)) {

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +14,7 @@
 #include "lines/drafter.h"
 #include "truth/ink.h"
 #include "truth/solids.h"
+#include "truth/threads.h"
 #include "truth/views.h"
 
 namespace croquis::lines {
@@ -30,9 +30,14 @@ struct Subject {
     std::vector<Corners> meshes;
 };
 
+/// Views to look at: one where code runs slowly.
+std::uint64_t few(int count) { return static_cast<std::uint64_t>(fewer_if_slow(count)); }
+/// Spheres there have a quarter of the faces.
+int fine(int subdivisions) { return few(25) < 25 ? subdivisions - 1 : subdivisions; }
+
 std::vector<Subject> subjects() {
-    return {{"noisy sphere", {bumpy_sphere(5, 0.05, 0.006, 1)}},
-            {"noisy lump", {bumpy_sphere(5, 0.25, 0.004, 2)}},
+    return {{"noisy sphere", {bumpy_sphere(fine(5), 0.05, 0.006, 1)}},
+            {"noisy lump", {bumpy_sphere(fine(5), 0.25, 0.004, 2)}},
             {"torus", {torus(1, 0.4, 64, 32)}},
             {"knot", {torus_knot(2, 3, 0.45, 200, 20)}},
             {"gear", {gear(9, 0.4)}},
@@ -94,7 +99,7 @@ constexpr auto any_line = [](const Line&) { return true; };
 TEST(Cleaning, SmoothingMovesNothingFar) {
     for (const Subject& subject : subjects()) {
         const SurfacePointer surface = surface_of(subject.meshes);
-        for (std::uint64_t v = 0; v < 3; ++v) {
+        for (std::uint64_t v = 0; v < few(3); ++v) {
             Options options;
             options.clean = false;
             const Drawing exact = draw(surface, random_view(*surface, 41, v), options);
@@ -129,7 +134,7 @@ TEST(Cleaning, SmoothingMovesNothingFar) {
 TEST(Cleaning, DrawsOnlyWhereEdgesAre) {
     for (const Subject& subject : subjects()) {
         const SurfacePointer surface = surface_of(subject.meshes);
-        for (std::uint64_t v = 0; v < 3; ++v) {
+        for (std::uint64_t v = 0; v < few(3); ++v) {
             const Viewpoint view = random_view(*surface, 42, v);
             const Drawing clean = draw(surface, view, Options{});
             const Drawing all = draw(surface, view, exact_options());
@@ -153,7 +158,7 @@ TEST(Cleaning, KeepsLongLines) {
     for (const Subject& subject : subjects()) {
         const SurfacePointer surface = surface_of(subject.meshes);
         std::size_t samples = 0, lost = 0;
-        for (std::uint64_t v = 0; v < 4; ++v) {
+        for (std::uint64_t v = 0; v < few(4); ++v) {
             const Pair pair = draw_both(surface, random_view(*surface, 43, v));
             for (const Line& line : pair.exact.lines) {
                 if (lines::length_of(pair.exact, line) < 48) continue;
@@ -170,7 +175,7 @@ TEST(Cleaning, KeepsLongLines) {
 }
 
 TEST(Cleaning, TakesTheCrumbsOfANoisySphere) {
-    const SurfacePointer surface = surface_of({bumpy_sphere(6, 0, 0.003, 1)});
+    const SurfacePointer surface = surface_of({bumpy_sphere(fine(6), 0, 0.003, 1)});
     for (const glm::dvec3& direction : {glm::dvec3(1, 0.7, 1), glm::dvec3(-0.3, 0.2, -1)}) {
         const Viewpoint view = view_from(*surface, direction);
         const Pair pair = draw_both(surface, view);
@@ -300,11 +305,10 @@ TEST(Cleaning, DoesNotDependOnTheNumberOfThreads) {
     for (const Subject& subject : subjects()) {
         const SurfacePointer surface = surface_of(subject.meshes);
         const Viewpoint view = random_view(*surface, 44, 0);
-        const auto drawing = [&](std::size_t threads) {
-            const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-            return draw(surface, view, Options{});
+        const auto drawing = [&](int threads) {
+            return on_threads(threads, [&] { return draw(surface, view, Options{}); });
         };
-        const Drawing alone = drawing(1), together = drawing(2);
+        const Drawing alone = drawing(1), together = drawing(6);
         ASSERT_EQ(alone.lines.size(), together.lines.size()) << subject.name;
         ASSERT_EQ(alone.points.size(), together.points.size()) << subject.name;
         for (std::size_t i = 0; i < alone.points.size(); ++i) {
@@ -320,7 +324,7 @@ TEST(Cleaning, LeavesPlainDrawingsAlone) {
     for (const Subject& subject : subjects()) {
         if (std::string(subject.name) != "gear" && std::string(subject.name) != "boxes") continue;
         const SurfacePointer surface = surface_of(subject.meshes);
-        for (std::uint64_t v = 0; v < 6; ++v) {
+        for (std::uint64_t v = 0; v < few(6); ++v) {
             const Pair pair = draw_both(surface, random_view(*surface, 45, v));
             double moved_most = 0, lost = 0;
             for (const Line& line : pair.clean.lines) {

@@ -2,7 +2,6 @@
 // the number of threads.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <array>
@@ -21,6 +20,7 @@
 #include "support/temporary_folder.h"
 #include "truth/agreement.h"
 #include "truth/ink.h"
+#include "truth/threads.h"
 #include "truth/view_truth.h"
 #include "truth/views.h"
 
@@ -47,6 +47,9 @@ std::vector<Corners> some_scene() {
             moved(wavy_sheet(12, 0.2, 1), {0, 0, -1.2})};
 }
 
+/// Views to look at: one where code runs slowly.
+std::uint64_t few(int count) { return static_cast<std::uint64_t>(fewer_if_slow(count)); }
+
 /// CPU time of all threads, in seconds: what the neighbours on the machine take does not count.
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
@@ -69,7 +72,7 @@ TEST(Robustness, FacesOfNoAreaAndPointsThatAreNoneChangeNothing) {
     }
     const SurfacePointer well = surface_of({good}), damaged = surface_of({bad});
     for (const Visibility way : ways) {
-        for (std::uint64_t v = 0; v < 6; ++v) {
+        for (std::uint64_t v = 0; v < few(6); ++v) {
             const Viewpoint view = random_view(*well, 21, v);
             std::string text;
             const Drawing truth = draw(well, view, visible_only(way));
@@ -102,7 +105,7 @@ TEST(Robustness, ManyFacesOnAnEdge) {
         const SurfacePointer surface = surface_of({corners});
         const SurfaceTruth surface_truth(surface, Options{}.crease_angle);
         for (const Visibility way : ways) {
-            for (std::uint64_t v = 0; v < 10; ++v) {
+            for (std::uint64_t v = 0; v < few(10); ++v) {
                 const Viewpoint view = random_view(*surface, 22, v);
                 const Drawing drawing = draw(surface, view, exact_options(way));
                 const Agreement found = compare(ViewTruth(surface_truth, view), drawing, true, {2, v});
@@ -122,7 +125,7 @@ TEST(Robustness, InconsistentWindingShowsTheSameOutline) {
         }
         const SurfacePointer well = surface_of({good}), badly = surface_of({mixed});
         for (const Visibility way : ways) {
-            for (std::uint64_t v = 0; v < 5; ++v) {
+            for (std::uint64_t v = 0; v < few(5); ++v) {
                 const Viewpoint view = random_view(*well, 23, v);
                 std::string text;
                 const Drawing truth = draw(well, view, visible_only(way));
@@ -149,7 +152,7 @@ TEST(Robustness, TriangleSoup) {
 }
 
 TEST(Robustness, DenseSoupEndsInTime) {
-    const SurfacePointer surface = surface_of({soup(1500, 0.5, 2)});
+    const SurfacePointer surface = surface_of({soup(static_cast<std::size_t>(fewer_if_slow(1500)), 0.5, 2)});
     for (const bool clean : {false, true}) {
         Options options = visible_only();
         options.clean = clean;
@@ -162,8 +165,8 @@ TEST(Robustness, DenseSoupEndsInTime) {
 
 // A disc cut like a cake: every face touches every other at the middle.
 TEST(Robustness, AFanOfManyFacesEndsInTime) {
-    constexpr int sides = 4000;
-    const auto rim = [](int i) {
+    const int sides = 400 + fewer_if_slow(3600);
+    const auto rim = [&](int i) {
         const double angle = 2 * pi * (i % sides) / sides;
         return glm::vec3(glm::dvec3(std::cos(angle), std::sin(angle), 0.0));
     };
@@ -240,7 +243,7 @@ TEST(Robustness, TheCameraInsideTheModel) {
         for (const Visibility way : ways) {
             Drafter drafter(surface, exact_options(way));
             Agreement sum;
-            for (std::uint64_t v = 0; v < static_cast<std::uint64_t>(fewer_if_slow(12)); ++v) {
+            for (std::uint64_t v = 0; v < few(12); ++v) {
                 const auto vector = [&](std::uint64_t k) {
                     return glm::dvec3(random.between(-1, 1, 8 * v + k), random.between(-1, 1, 8 * v + k + 1),
                                       random.between(-1, 1, 8 * v + k + 2));
@@ -267,7 +270,7 @@ TEST(Robustness, UnitsChangeNothing) {
         std::vector<Corners> scaled;
         for (const Corners& mesh : scene) scaled.push_back(moved(mesh, glm::dvec3(0.0), unit));
         const SurfacePointer other = surface_of(scaled);
-        for (std::uint64_t v = 0; v < 4; ++v) {
+        for (std::uint64_t v = 0; v < few(4); ++v) {
             const Viewpoint view = random_view(*surface, 26, v);
             for (const Visibility way : ways) {
                 std::string text;
@@ -296,7 +299,7 @@ TEST(Robustness, ThePlaceChangesNothing) {
     const test_support::TemporaryFolder folder;
     const SurfacePointer here = surface_of(model::load(folder.write("here.obj", file_at({0, 0, 0}))));
     const SurfacePointer there = surface_of(model::load(folder.write("there.obj", file_at({1e6, -2e6, 5e5}))));
-    for (std::uint64_t v = 0; v < 4; ++v) {
+    for (std::uint64_t v = 0; v < few(4); ++v) {
         const Viewpoint view = random_view(*here, 27, v);
         std::string text;
         EXPECT_LT(length_apart(view, draw(here, view, exact_options()), draw(there, view, exact_options()), text, 2e-3),
@@ -318,7 +321,7 @@ TEST(Robustness, TurningModelAndCameraTogetherChangesNothing) {
     const model::SceneSpace from = model::SceneSpace::of(surface->model());
     const model::SceneSpace to = model::SceneSpace::of(turned_surface->model());
     const double ratio = from.radius / to.radius;  // the boxes differ, and with them the scene's unit
-    for (std::uint64_t v = 0; v < 4; ++v) {
+    for (std::uint64_t v = 0; v < few(4); ++v) {
         const Viewpoint view = random_view(*surface, 28, v);
         Viewpoint turned_view = view;
         turned_view.eye = to.from_file(turn * (view.eye * from.radius + from.centre));
@@ -353,7 +356,7 @@ TEST(Robustness, TheOrderOfFacesChangesNothing) {
         }
     }
     const SurfacePointer surface = surface_of(scene), other = surface_of(shuffled);
-    for (std::uint64_t v = 0; v < 6; ++v) {
+    for (std::uint64_t v = 0; v < few(6); ++v) {
         const Viewpoint view = random_view(*surface, 29, v);
         for (const Visibility way : ways) {
             const Drawing one = draw(surface, view, exact_options(way)), two = draw(other, view, exact_options(way));
@@ -380,22 +383,25 @@ bool are_same(const Drawing& one, const Drawing& other) {
 
 TEST(Robustness, TheNumberOfThreadsChangesNoBit) {
     const SurfacePointer scene = surface_of(some_scene());
-    const SurfacePointer rough = surface_of({bumpy_sphere(5, 0.1, 0.01, 2)});
+    const SurfacePointer rough = surface_of({bumpy_sphere(fewer_if_slow(25) < 25 ? 3 : 5, 0.1, 0.01, 2)});
     for (const SurfacePointer& surface : {scene, rough}) {
         for (const Visibility way : {Visibility::quantitative, Visibility::ray_cast, Visibility::walking}) {
             for (const bool clean : {false, true}) {
                 Options options = exact_options(way);
                 options.clean = clean;
                 options.hidden = !clean;
-                const auto drawings = [&](std::size_t threads) {
-                    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-                    Drafter drafter(surface, options);
-                    std::vector<Drawing> found;
-                    for (std::uint64_t v = 0; v < 2; ++v) found.push_back(drafter.draw(random_view(*surface, 30, v)));
-                    return found;
+                const auto drawings = [&](int threads) {
+                    return on_threads(threads, [&] {
+                        Drafter drafter(surface, options);
+                        std::vector<Drawing> found;
+                        for (std::uint64_t v = 0; v < 2; ++v) {
+                            found.push_back(drafter.draw(random_view(*surface, 30, v)));
+                        }
+                        return found;
+                    });
                 };
                 const std::vector<Drawing> alone = drawings(1);
-                for (const std::size_t threads : {2u, 5u}) {
+                for (const int threads : {2, 7}) {
                     const std::vector<Drawing> together = drawings(threads);
                     for (std::size_t v = 0; v < alone.size(); ++v) {
                         EXPECT_FALSE(alone[v].lines.empty());
@@ -417,9 +423,8 @@ TEST(Robustness, FindersMakeTheSameDrawingWithAnyNumberOfThreads) {
         ViewOptions view_options;
         view_options.projection = model::Projection::parallel;  // every finder knows it
         const Viewpoint view = view_from(*surface, {1, 2, 3}, view_options);
-        const auto drawing = [&](std::size_t threads) {
-            const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-            return draw(surface, view, options);
+        const auto drawing = [&](int threads) {
+            return on_threads(threads, [&] { return draw(surface, view, options); });
         };
         EXPECT_TRUE(are_same(drawing(1), drawing(2))) << info.name;
     }
@@ -430,7 +435,7 @@ TEST(Robustness, EarlierViewsChangeNothing) {
     const SurfacePointer surface = surface_of(some_scene());
     for (const Visibility way : {Visibility::quantitative, Visibility::ray_cast, Visibility::walking}) {
         Drafter drafter(surface, exact_options(way));
-        for (std::uint64_t v = 0; v < 4; ++v) {
+        for (std::uint64_t v = 0; v < few(4); ++v) {
             const Viewpoint view = random_view(*surface, 31, v);
             EXPECT_TRUE(are_same(drafter.draw(view), draw(surface, view, exact_options(way)))) << "view " << v;
         }

@@ -74,12 +74,18 @@ Drawing draw(const SurfacePointer& surface, const Viewpoint& view, const Options
     return Drafter(surface, options).draw(view);
 }
 
-int fewer_if_slow(int count) {
-#ifdef __SANITIZE_ADDRESS__
-    return std::max(1, count / 25);
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__)  // as GCC says it
+constexpr bool is_sanitized = true;
+#elif defined(__has_feature)  // as clang does
+constexpr bool is_sanitized = __has_feature(address_sanitizer);
 #else
-    return count;
+constexpr bool is_sanitized = false;
 #endif
-}
+
+}  // namespace
+
+int fewer_if_slow(int count) { return is_sanitized ? std::max(1, count / 25) : count; }
 
 }  // namespace croquis::lines::truth
