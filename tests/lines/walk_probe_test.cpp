@@ -27,7 +27,9 @@ using Meshes = std::vector<Corners>;
 struct Scene {
     Scene(const Surface& of, const Viewpoint& seen_from, double least_bend)
         : surface(of), view(seen_from), edges(of), silhouettes(make_finder("exhaustive", of)->find(view)) {
-        edges.gather(view, Features(of, Options{}.classes, least_bend), silhouettes, Options{}.classes);
+        LineClasses classes = Options{}.classes;
+        classes.remove(LineClass::intersection);  // lies on no edge to walk from
+        edges.gather(view, Features(of, classes, least_bend), silhouettes, classes);
         walker.emplace(of, view, edges, silhouettes);
     }
 
