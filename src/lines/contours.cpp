@@ -44,27 +44,16 @@ void cut(const VisibilityTask& task, std::vector<Piece>& pieces, std::vector<Cha
 /// True when a look past the outer side of the piece meets nothing behind it.
 bool has_nothing_behind(const VisibilityTask& task, const LayerProbe& probe, const Piece& piece) {
     const ImageEdge& edge = task.edges.edges()[piece.edge];
-    const glm::dvec2 along = task.edges.vertices()[edge.b].position - task.edges.vertices()[edge.a].position;
-    const double length = glm::length(along);
     // What only rounding shows has its own body behind it.
-    if (!(length > 0) || edge.step == 0 || edge.never_seen) return false;
-    ImagePoint point = task.edges.point_at(edge, 0.5 * (piece.from + piece.to));
-    point.position += (edge.step > 0 ? aside : -aside) / length * glm::dvec2(-along.y, along.x);
-    return probe.is_open_behind(edge, point);
-}
-
-double length_of(const VisibilityTask& task, const Piece& piece) {
-    const ImageEdge& edge = task.edges.edges()[piece.edge];
-    return (piece.to - piece.from) *
-           glm::distance(task.edges.vertices()[edge.a].position, task.edges.vertices()[edge.b].position);
+    if (edge.step == 0 || edge.never_seen || !(task.edges.length_of(edge) > 0)) return false;
+    return probe.is_open_behind(edge, task.edges.point_beside(edge, 0.5 * (piece.from + piece.to), aside));
 }
 
 /// From the start of a link to its end.
 glm::dvec2 direction_of(const VisibilityTask& task, const std::vector<Piece>& pieces, const Link& link) {
     const ImageEdge& edge = task.edges.edges()[pieces[link.piece].edge];
-    const glm::dvec2 along = task.edges.vertices()[edge.b].position - task.edges.vertices()[edge.a].position;
-    const double length = glm::length(along);
-    return length > 0 ? along / (link.reversed ? -length : length) : glm::dvec2(0.0);
+    const double length = task.edges.length_of(edge);
+    return length > 0 ? task.edges.along(edge) / (link.reversed ? -length : length) : glm::dvec2(0.0);
 }
 
 /// True where the surface around a joint of two links goes on without another hiding edge. Not at corners: in views
@@ -95,10 +84,10 @@ void find_contours(const VisibilityTask& task, const LayerProbe& probe, std::vec
             std::size_t first = 0;
             while (first < links.size()) {
                 std::size_t last = first + 1;
-                double length = length_of(task, pieces[links[first].piece]);
+                double length = length_of(task.edges, pieces[links[first].piece]);
                 while (last < links.size() && length < longest_run &&
                        is_plain_joint(task, pieces, links[last - 1], links[last])) {
-                    length += length_of(task, pieces[links[last++].piece]);
+                    length += length_of(task.edges, pieces[links[last++].piece]);
                 }
                 const auto run = links.subspan(first, last - first);
                 const Link longest = *std::max_element(run.begin(), run.end(), [&](const Link& x, const Link& y) {

@@ -6,6 +6,7 @@
 
 #include "base/parallel.h"
 #include "lines/cleaning.h"
+#include "lines/pieces.h"
 #include "lines/segment_grid.h"
 
 namespace croquis::lines {
@@ -18,13 +19,10 @@ public:
 
     /// True when nothing of the model lies close behind the outer side of a piece.
     [[nodiscard]] bool at(const Piece& piece) const {
-        const ImageEdge& edge = task_.edges.edges()[piece.edge];
-        const glm::dvec2 along = task_.edges.vertices()[edge.b].position - task_.edges.vertices()[edge.a].position;
-        const double length = glm::length(along);
-        if (!(length > 0) || edge.step == 0) return false;
-        ImagePoint point = task_.edges.point_at(edge, 0.5 * (piece.from + piece.to));
         constexpr double aside = 0.25;  // pixels
-        point.position += (edge.step > 0 ? aside : -aside) / length * glm::dvec2(-along.y, along.x);
+        const ImageEdge& edge = task_.edges.edges()[piece.edge];
+        if (edge.step == 0 || !(task_.edges.length_of(edge) > 0)) return false;
+        const ImagePoint point = task_.edges.point_beside(edge, 0.5 * (piece.from + piece.to), aside);
         const glm::dvec3 from = task_.view.unproject(point);
         const glm::dvec3 away = -glm::normalize(task_.view.towards_eye(from));
         const double reach = limits_.depth_step * task_.view.units_a_pixel(point.nearness);
@@ -37,14 +35,6 @@ private:
     const RayCaster& rays_;
     const CleaningLimits& limits_;
 };
-
-double length_of(const VisibilityTask& task, const ImageEdge& edge) {
-    return glm::distance(task.edges.vertices()[edge.a].position, task.edges.vertices()[edge.b].position);
-}
-
-double length_of(const VisibilityTask& task, const Piece& piece) {
-    return (piece.to - piece.from) * length_of(task, task.edges.edges()[piece.edge]);
-}
 
 /// Chains that hang together at vertices, or where the class of a line changes: visible ones with visible ones, hidden
 /// ones with hidden ones.
@@ -102,7 +92,7 @@ std::vector<double> company_of(const VisibilityTask& task, const std::vector<Pie
     for (std::uint32_t c = 0; c < lengths.size(); ++c) {
         company[c] = total[companies.of(c)];
         for (const Link& link : chains.links_of(chains.chains[c])) {
-            company[c] = std::max(company[c], length_of(task, task.edges.edges()[pieces[link.piece].edge]));
+            company[c] = std::max(company[c], task.edges.length_of(task.edges.edges()[pieces[link.piece].edge]));
         }
     }
     return company;
@@ -115,7 +105,8 @@ std::vector<Merit> merits_of(const VisibilityTask& task, const RayCaster& rays, 
                              const Chains& chains) {
     std::vector<double> lengths(chains.chains.size(), 0);
     for (std::size_t c = 0; c < chains.chains.size(); ++c) {
-        for (const Link& link : chains.links_of(chains.chains[c])) lengths[c] += length_of(task, pieces[link.piece]);
+        for (const Link& link : chains.links_of(chains.chains[c]))
+            lengths[c] += length_of(task.edges, pieces[link.piece]);
     }
     const std::vector<double> company = company_of(task, pieces, chains, lengths);
     std::vector<Merit> merits(chains.chains.size());
@@ -128,8 +119,8 @@ std::vector<Merit> merits_of(const VisibilityTask& task, const RayCaster& rays, 
             if (keys[links[0].piece].line_class != LineClass::silhouette || lengths[c] >= limits.long_line) continue;
             for (const Link& link : links) {
                 const Piece& piece = pieces[link.piece];
-                if (steps.at(piece)) merits[c].length_with_step += length_of(task, piece);
-                if (task.edges.edges()[piece.edge].is_sharp) merits[c].sharp_length += length_of(task, piece);
+                if (steps.at(piece)) merits[c].length_with_step += length_of(task.edges, piece);
+                if (task.edges.edges()[piece.edge].is_sharp) merits[c].sharp_length += length_of(task.edges, piece);
             }
         }
     });

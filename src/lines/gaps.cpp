@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "lines/cleaning.h"
+#include "lines/pieces.h"
 
 namespace croquis::lines {
 namespace {
@@ -50,11 +51,7 @@ public:
     [[nodiscard]] LineClass class_of(std::uint32_t piece) const {
         return edges_.edges()[pieces_[piece].edge].line_class;
     }
-    [[nodiscard]] double length_of(std::uint32_t piece) const {
-        const ImageEdge& edge = edges_.edges()[pieces_[piece].edge];
-        return (pieces_[piece].to - pieces_[piece].from) *
-               glm::distance(edges_.vertices()[edge.a].position, edges_.vertices()[edge.b].position);
-    }
+    [[nodiscard]] double length_of(std::uint32_t piece) const { return lines::length_of(edges_, pieces_[piece]); }
 
     /// True when no visible piece of the class goes on from a visible end.
     [[nodiscard]] bool is_open(std::uint32_t end) const {

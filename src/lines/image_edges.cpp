@@ -239,4 +239,11 @@ ImagePoint ImageEdges::point_at(const ImageEdge& edge, double share) const {
     return {a.position + share * (b.position - a.position), a.nearness + share * (b.nearness - a.nearness)};
 }
 
+ImagePoint ImageEdges::point_beside(const ImageEdge& edge, double share, double pixels) const {
+    ImagePoint point = point_at(edge, share);
+    const glm::dvec2 offset = along(edge) * (pixels / length_of(edge));
+    point.position += edge.step > 0 ? glm::dvec2(-offset.y, offset.x) : glm::dvec2(offset.y, -offset.x);
+    return point;
+}
+
 }  // namespace croquis::lines

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <limits>
 #include <span>
@@ -76,8 +77,18 @@ public:
     /// True when nothing of the surface's edges was cut off or left out because it lies outside of the frame.
     [[nodiscard]] bool is_whole() const { return is_whole_; }
 
+    /// From a to b, and how far that is, in pixels.
+    [[nodiscard]] glm::dvec2 along(const ImageEdge& edge) const {
+        return vertices_[edge.b].position - vertices_[edge.a].position;
+    }
+    [[nodiscard]] double length_of(const ImageEdge& edge) const { return glm::length(along(edge)); }
+
     /// A point of an edge: 0 is a, 1 is b; shares are of the length in the picture.
     [[nodiscard]] ImagePoint point_at(const ImageEdge& edge, double share) const;
+
+    /// The same, moved by some pixels to the outer side of the surface that ends there. The edge must have a step and a
+    /// length.
+    [[nodiscard]] ImagePoint point_beside(const ImageEdge& edge, double share, double pixels) const;
 
 private:
     /// An end in space. Numbers count the surface's vertices, then the nodes of cuts.

@@ -16,6 +16,11 @@ struct Interval {
 /// The share of an edge that lies within the frame; from 0 to 0 where nothing does.
 [[nodiscard]] Interval frame_interval(const Viewpoint& view, const ImageEdges& edges, const ImageEdge& edge);
 
+/// Pixels.
+[[nodiscard]] inline double length_of(const ImageEdges& edges, const Piece& piece) {
+    return (piece.to - piece.from) * edges.length_of(edges.edges()[piece.edge]);
+}
+
 /// The crossings of each edge.
 class CrossingsByEdge {
 public:

@@ -123,13 +123,11 @@ private:
             cluster.is_doubtful |= crossing.is_doubtful;
             cluster.is_pierced |= crossing.is_piercing;
         }
-        const double length =
-            glm::distance(task_.edges.vertices()[edge.a].position, task_.edges.vertices()[edge.b].position);
         visit_pieces(e, [&](const Piece& piece, std::int32_t number) {
             cluster.lowest_start = std::max(cluster.lowest_start, -number);
             if (edge.never_seen) cluster.lowest_start_of_solid = std::max(cluster.lowest_start_of_solid, 1 - number);
             if (!edge.is_line) return;
-            const double piece_length = (piece.to - piece.from) * length;
+            const double piece_length = length_of(task_.edges, piece);
             const bool better = task_.count_layers ? piece_length > cluster.best_length
                                                    : number < cluster.least || (number == cluster.least &&
                                                                                 piece_length > cluster.best_length);

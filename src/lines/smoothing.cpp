@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "lines/cleaning.h"
+#include "lines/simplify.h"
 
 namespace croquis::lines {
 namespace {
@@ -133,44 +134,15 @@ void smooth(std::vector<LinePoint>& points, bool closed, double limit) {
     }
 }
 
-/// Marks the points of points[first..last] that are needed to keep within `detail` (Douglas and Peucker 1973).
-void mark_needed(const std::vector<LinePoint>& points, std::size_t first, std::size_t last, double detail,
-                 std::vector<bool>& needed) {
-    std::vector<std::pair<std::size_t, std::size_t>> ranges{{first, last}};
-    while (!ranges.empty()) {
-        const auto [begin, end] = ranges.back();
-        ranges.pop_back();
-        const glm::dvec2 a = points[begin].position, along = points[end].position - a;
-        const double squared = glm::dot(along, along);
-        double farthest = detail;
-        std::size_t index = begin;
-        for (std::size_t i = begin + 1; i < end; ++i) {
-            const glm::dvec2 offset = points[i].position - a;
-            const double share = squared > 0 ? std::clamp(glm::dot(offset, along) / squared, 0.0, 1.0) : 0.0;
-            const double distance = glm::length(offset - share * along);
-            if (distance > farthest) {
-                farthest = distance;
-                index = i;
-            }
-        }
-        if (index == begin) continue;
-        needed[index] = true;
-        ranges.push_back({begin, index});
-        ranges.push_back({index, end});
-    }
-}
-
 std::vector<LinePoint> simplified(const std::vector<LinePoint>& points, bool closed, double detail) {
+    std::vector<glm::dvec2> places;
+    for (const LinePoint& point : points) places.push_back(point.position);
     std::vector<bool> needed(points.size(), false);
     needed.front() = needed.back() = true;
-    if (closed) {
-        const std::size_t middle = points.size() / 2;
-        needed[middle] = true;
-        mark_needed(points, 0, middle, detail, needed);
-        mark_needed(points, middle, points.size() - 1, detail, needed);
-    } else {
-        mark_needed(points, 0, points.size() - 1, detail, needed);
-    }
+    const std::size_t middle = closed ? points.size() / 2 : 0;
+    needed[middle] = true;
+    mark_bends(places, 0, middle, detail, needed);
+    mark_bends(places, middle, points.size() - 1, detail, needed);
     std::vector<LinePoint> kept;
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (needed[i]) kept.push_back(points[i]);

@@ -82,7 +82,7 @@ void probe_edge(const VisibilityTask& task, const CrossingsByEdge& crossings, co
     const ImageEdge& edge = task.edges.edges()[image_edge];
     const Interval inside = frame_interval(task.view, task.edges, edge);
     double from = inside.from;
-    const double length = glm::distance(task.edges.vertices()[edge.a].position, task.edges.vertices()[edge.b].position);
+    const double length = task.edges.length_of(edge);
     const double shortest = shortest_piece / std::max(length, shortest_piece);
     const auto close = [&](double to) {
         to = std::clamp(to, inside.from, inside.to);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "lines/simplify.h"
+
 namespace croquis::output {
 namespace {
 
@@ -14,41 +16,12 @@ double length_of(const Ring& ring) {
     return length;
 }
 
-double distance_to_piece(const glm::dvec2& point, const glm::dvec2& a, const glm::dvec2& b) {
-    const glm::dvec2 along = b - a;
-    const double square = glm::dot(along, along);
-    const double share = square > 0 ? std::clamp(glm::dot(point - a, along) / square, 0.0, 1.0) : 0.0;
-    return glm::distance(point, a + share * along);
-}
-
-// Keeps the points of (first, last) that lie off the line between those that are kept: Douglas and Peucker's rule, with
-// a stack of its own.
-void keep_bends(const std::vector<glm::dvec2>& points, double tolerance, std::vector<bool>& kept) {
-    std::vector<std::pair<std::size_t, std::size_t>> stack{{0, points.size() - 1}};
-    while (!stack.empty()) {
-        const auto [first, last] = stack.back();
-        stack.pop_back();
-        double farthest = tolerance;
-        std::size_t bend = first;
-        for (std::size_t i = first + 1; i < last; ++i) {
-            const double distance = distance_to_piece(points[i], points[first], points[last]);
-            if (distance > farthest) {
-                farthest = distance;
-                bend = i;
-            }
-        }
-        if (bend == first) continue;
-        kept[bend] = true;
-        stack.push_back({first, bend});
-        stack.push_back({bend, last});
-    }
-}
-
 // Bends of a long line may lie straight between the two that are left beside them.
 void drop_straight(std::vector<glm::dvec2>& points, double tolerance) {
     std::size_t count = 1;
     for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-        if (distance_to_piece(points[i], points[count - 1], points[i + 1]) > tolerance) points[count++] = points[i];
+        if (lines::distance_to_segment(points[i], points[count - 1], points[i + 1]) > tolerance)
+            points[count++] = points[i];
     }
     points[count++] = points.back();
     points.resize(count);
@@ -75,7 +48,7 @@ void drop_idle_points(Ring& ring, double tolerance) {
     }
     std::vector<bool> kept(points.size(), false);
     kept.front() = kept.back() = true;
-    keep_bends(points, tolerance, kept);
+    lines::mark_bends(points, 0, points.size() - 1, tolerance, kept);
     std::size_t count = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (kept[i]) points[count++] = points[i];
