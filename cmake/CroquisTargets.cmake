@@ -49,6 +49,10 @@ function(croquis_test name)
   add_executable(test_${name} ${ARG_SOURCES})
   target_link_libraries(test_${name} PRIVATE croquis_flags ${ARG_USES} GTest::gtest_main)
   target_compile_options(test_${name} PRIVATE $<$<CONFIG:Release>:-O1>)  # compiling costs more than running
+  list(LENGTH ARG_SOURCES files)
+  if(files GREATER 3)
+    croquis_precompile(test_${name} <gtest/gtest.h>)
+  endif()
   add_dependencies(unit_tests test_${name})
   set(environment "CROQUIS_DATA=${CMAKE_SOURCE_DIR}/data" "LP_NUM_THREADS=1"
                   "ASAN_OPTIONS=intercept_tls_get_addr=0"
