@@ -18,6 +18,7 @@ framework::ComponentTable core_components() {
         CORE_COMPONENT(edge_detect),
         CORE_COMPONENT(generate_texture),
         CORE_COMPONENT(lines),
+        CORE_COMPONENT(outline),
         CORE_COMPONENT(overlay),
         CORE_COMPONENT(ping_pong),
         CORE_COMPONENT(process_texture),

@@ -35,7 +35,7 @@ protected:
         context.apply(program);
         context.scene.draw_surfaces(framework::ObjectSelection(objects_.value()), program,
                                     {.depth_test = gpu::DepthTest::nearer, .write_depth = true},
-                                    {context.eye_is_outside(), nullptr});
+                                    {.eye_is_outside = context.eye_is_outside()});
     }
 
 private:

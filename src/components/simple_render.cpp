@@ -29,9 +29,10 @@ protected:
         context.apply(program);
         constexpr int first_free_unit = 1;  // the surface's own texture takes unit 0
         pass_.apply_parameters(program, first_free_unit);
-        context.scene.draw_surfaces(framework::ObjectSelection(objects_.value()), program,
-                                    {.depth_test = gpu::DepthTest::nearer, .write_depth = true},
-                                    {context.eye_is_outside(), pass_.texture("texture")});
+        context.scene.draw_surfaces(
+            framework::ObjectSelection(objects_.value()), program,
+            {.depth_test = gpu::DepthTest::nearer, .write_depth = true, .stencil = gpu::Stencil::mark_surface},
+            {.eye_is_outside = context.eye_is_outside(), .texture_for_all = pass_.texture("texture")});
     }
 
 private:

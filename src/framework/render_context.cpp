@@ -70,6 +70,7 @@ void RenderContext::apply(const gpu::Program& program) const {
     program.set("light_color", light.color);
     program.set("near_plane", float(camera.near_plane));
     program.set("far_plane", float(camera.far_plane));
+    program.set("frame_reach", glm::vec2(1.0f / clip_from_eye[0][0], 1.0f / clip_from_eye[1][1]));
     program.set("is_parallel", camera.projection == model::Projection::parallel);
     program.set("pixel_scale", pixel_scale);
     program.set("frame_size", glm::vec2(frame.width(), frame.height()));

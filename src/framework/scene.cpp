@@ -98,12 +98,13 @@ Scene::Scene(Resources& resources, std::shared_ptr<const model::Model> model)
 }
 
 void Scene::find_bounds() {
-    model::Bounds box = model_->bounds;
-    if (pose_) {
-        box = {};
-        for (const model::MeshPose& mesh : *pose_) {
-            for (const glm::vec3& position : mesh.positions) box.add(position);
-        }
+    model::Bounds box;
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+        model::Bounds own;
+        for (const glm::vec3& position : pose_ ? (*pose_)[i].positions : model_->meshes[i].positions) own.add(position);
+        parts_[i].middle = own.centre();
+        box.add(own.low);
+        box.add(own.high);
     }
     bounds_ = {glm::vec3(scene_from_model_ * glm::vec4(box.low, 1.0f)),
                glm::vec3(scene_from_model_ * glm::vec4(box.high, 1.0f))};
@@ -131,6 +132,12 @@ void Scene::upload_positions(const model::Pose* pose) {
     find_bounds();
 }
 
+glm::mat4 Scene::scaled(const Part& part, float scale) const {
+    glm::mat4 about_middle = glm::translate(glm::mat4(1.0f), part.middle);
+    about_middle = glm::scale(about_middle, glm::vec3(scale));
+    return scene_from_model_ * glm::translate(about_middle, -part.middle);
+}
+
 void Scene::draw_surfaces(const ObjectSelection& selection, const gpu::Program& program, gpu::DrawState state,
                           const SurfaceOptions& options) {
     for (std::size_t i = 0; i < parts_.size(); ++i) {
@@ -139,6 +146,7 @@ void Scene::draw_surfaces(const ObjectSelection& selection, const gpu::Program& 
         const model::Material& material = model_->materials[mesh.material];
         state.cull = options.eye_is_outside ? parts_[i].cull : gpu::Cull::none;
         gpu::apply(state);
+        if (options.scale != 1) program.set("scene_from_model", scaled(parts_[i], options.scale));
         program.set("material_ambient", material.ambient);
         program.set("material_diffuse", material.diffuse);
         program.set("material_specular", material.specular);

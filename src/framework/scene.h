@@ -55,6 +55,7 @@ public:
         /// Faces that turn away are then left out where the mesh is closed, for nobody can see them.
         bool eye_is_outside = false;
         const gpu::Texture* texture_for_all = nullptr;  ///< in place of each material's own
+        float scale = 1;                                ///< of each mesh, about the middle of its box
     };
 
     /// Draws the surfaces of the selected meshes with the program in use, giving it each one's material. Texture unit 0
@@ -75,11 +76,13 @@ private:
         std::unique_ptr<gpu::Geometry> surface;
         std::shared_ptr<const gpu::Texture> texture;
         gpu::Cull cull = gpu::Cull::none;
+        glm::vec3 middle{0.0f};                               // of its box, as the vertices stand now
         std::array<std::unique_ptr<gpu::Geometry>, 2> edges;  // all and tagged, made when first drawn
     };
 
     void upload_positions(const model::Pose* pose);
     void find_bounds();
+    [[nodiscard]] glm::mat4 scaled(const Part& part, float scale) const;
     [[nodiscard]] std::unique_ptr<gpu::Geometry> make_edges(std::size_t mesh, Edges which) const;
 
     Resources* resources_;

@@ -7,6 +7,7 @@
 #include <cassert>
 
 #include "base/error.h"
+#include "gpu/state.h"
 
 namespace croquis::gpu {
 namespace {
@@ -35,7 +36,7 @@ Framebuffer::Framebuffer(Context& context, std::shared_ptr<Texture> color, std::
     glBindFramebuffer(GL_FRAMEBUFFER, id_);
     attach(GL_COLOR_ATTACHMENT0, color_);
     attach(GL_COLOR_ATTACHMENT1, second_color_);
-    attach(GL_DEPTH_ATTACHMENT, depth_);
+    attach(GL_DEPTH_STENCIL_ATTACHMENT, depth_);
     const std::array<GLenum, 2> buffers{GLenum(color_ ? GL_COLOR_ATTACHMENT0 : GL_NONE), GL_COLOR_ATTACHMENT1};
     glDrawBuffers(second_color_ ? 2 : 1, buffers.data());
     glReadBuffer(buffers.front());
@@ -80,9 +81,16 @@ void Framebuffer::clear_second_color(const glm::vec4& color) const {
 
 void Framebuffer::clear_depth() const {
     bind();
-    const float far_plane = 1.0f;
     glDepthMask(GL_TRUE);
-    glClearBufferfv(GL_DEPTH, 0, &far_plane);
+    glStencilMask(0xff);
+    glClearBufferfi(GL_DEPTH_STENCIL, 0, 1.0f, 0);
+}
+
+void Framebuffer::clear_line_marks() const {
+    bind();
+    const GLint none = 0;
+    glStencilMask(line_mark);
+    glClearBufferiv(GL_STENCIL, 0, &none);
 }
 
 std::vector<std::uint8_t> Framebuffer::read(unsigned attachment) const {

@@ -33,7 +33,9 @@ public:
 
     void clear_color(const glm::vec4& color) const;
     void clear_second_color(const glm::vec4& color) const;
-    void clear_depth() const;  ///< to the far plane
+    /// To the far plane; with it go all marks of the stencil (gpu/state.h).
+    void clear_depth() const;
+    void clear_line_marks() const;
 
     /// The colours as 8-bit RGBA, rows from top to bottom. Waits for the picture: counted as a read-back.
     [[nodiscard]] std::vector<std::uint8_t> read_pixels() const { return read(0); }

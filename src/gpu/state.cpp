@@ -36,6 +36,34 @@ void apply_blend(Blend blend) {
     }
 }
 
+void apply_stencil(Stencil stencil) {
+    enable(GL_STENCIL_TEST, stencil != Stencil::off);
+    switch (stencil) {
+        case Stencil::off:
+            break;
+        case Stencil::mark_surface:
+            glStencilFunc(GL_ALWAYS, surface_mark, surface_mark);
+            glStencilMask(surface_mark);
+            glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+            break;
+        case Stencil::outside_surfaces:
+            glStencilFunc(GL_NOTEQUAL, surface_mark, surface_mark);
+            glStencilMask(0);
+            glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+            break;
+        case Stencil::mark_line:
+            glStencilFunc(GL_ALWAYS, line_mark, line_mark);
+            glStencilMask(line_mark);
+            glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+            break;
+        case Stencil::take_line_mark:
+            glStencilFunc(GL_EQUAL, line_mark, line_mark);
+            glStencilMask(line_mark);
+            glStencilOp(GL_KEEP, GL_KEEP, GL_ZERO);
+            break;
+    }
+}
+
 // The groups of a SavedState: each reads its part when it is made and puts it back at its end.
 
 // An enumerator or the name of an object.
@@ -52,8 +80,8 @@ float number(GLenum name) {
 }
 
 struct SavedCapabilities {
-    static constexpr std::array<GLenum, 5> names{GL_DEPTH_TEST, GL_BLEND, GL_CULL_FACE, GL_SCISSOR_TEST,
-                                                 GL_POLYGON_OFFSET_FILL};
+    static constexpr std::array<GLenum, 6> names{GL_DEPTH_TEST,   GL_BLEND,        GL_CULL_FACE,
+                                                 GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_POLYGON_OFFSET_FILL};
     std::array<bool, names.size()> on{};
 
     SavedCapabilities() {
@@ -104,6 +132,31 @@ struct SavedFunctions {
         glDepthFunc(depth);
         glBlendFuncSeparate(source, destination, source_alpha, destination_alpha);
     }
+};
+
+// Of one side of surfaces, for a caller may have set each on its own.
+struct SavedStencilSide {
+    struct Names {
+        GLenum side, function, reference, read_mask, write_mask, fail, depth_fail, depth_pass;
+    };
+    Names names;
+    GLenum function = word(names.function), fail = word(names.fail), depth_fail = word(names.depth_fail),
+           depth_pass = word(names.depth_pass);
+    GLuint reference = word(names.reference), read_mask = word(names.read_mask), write_mask = word(names.write_mask);
+
+    ~SavedStencilSide() {
+        glStencilFuncSeparate(names.side, function, GLint(reference), read_mask);
+        glStencilMaskSeparate(names.side, write_mask);
+        glStencilOpSeparate(names.side, fail, depth_fail, depth_pass);
+    }
+};
+
+struct SavedStencil {
+    SavedStencilSide front{{GL_FRONT, GL_STENCIL_FUNC, GL_STENCIL_REF, GL_STENCIL_VALUE_MASK, GL_STENCIL_WRITEMASK,
+                            GL_STENCIL_FAIL, GL_STENCIL_PASS_DEPTH_FAIL, GL_STENCIL_PASS_DEPTH_PASS}};
+    SavedStencilSide back{{GL_BACK, GL_STENCIL_BACK_FUNC, GL_STENCIL_BACK_REF, GL_STENCIL_BACK_VALUE_MASK,
+                           GL_STENCIL_BACK_WRITEMASK, GL_STENCIL_BACK_FAIL, GL_STENCIL_BACK_PASS_DEPTH_FAIL,
+                           GL_STENCIL_BACK_PASS_DEPTH_PASS}};
 };
 
 struct SavedFaces {
@@ -179,6 +232,7 @@ void apply(const DrawState& state) {
     glFrontFace(GL_CCW);
     enable(GL_POLYGON_OFFSET_FILL, state.push_back != 0);
     if (state.push_back != 0) glPolygonOffset(state.push_back, state.push_back);
+    apply_stencil(state.stencil);
     enable(GL_SCISSOR_TEST, state.within.has_value());
     if (state.within) glScissor(state.within->x, state.within->y, state.within->width, state.within->height);
 }
@@ -188,6 +242,7 @@ struct SavedState::Groups {
     SavedAreas areas;
     SavedMasks masks;
     SavedFunctions functions;
+    SavedStencil stencil;
     SavedFaces faces;
     SavedTextures textures;
     SavedBindings bindings;

@@ -26,6 +26,17 @@ enum class Blend {
     add,
 };
 
+/// The bits of the stencil: what earlier draws left there since the depth was cleared.
+constexpr unsigned surface_mark = 1, line_mark = 2;
+
+enum class Stencil {
+    off,
+    mark_surface,      ///< marks what is drawn as surface
+    outside_surfaces,  ///< draws only where no surface was
+    mark_line,         ///< marks what is drawn as line
+    take_line_mark,    ///< draws only where a line was marked, and takes the mark away
+};
+
 /// Everything fixed that a draw depends on.
 struct DrawState {
     DepthTest depth_test = DepthTest::off;
@@ -35,6 +46,7 @@ struct DrawState {
     Cull cull = Cull::none;
     /// Pushes surfaces away from the eye so that lines on them show: glPolygonOffset's factor and units.
     float push_back = 0;
+    Stencil stencil = Stencil::off;
     std::optional<Rectangle> within = std::nullopt;  ///< draw nothing outside
 };
 

@@ -22,7 +22,7 @@ GlFormat gl_format(TextureFormat format) {
         case TextureFormat::rgba16f:
             return {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT};
         case TextureFormat::depth:
-            return {GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT};
+            return {GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8};
     }
     return {};
 }

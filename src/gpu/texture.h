@@ -11,7 +11,7 @@ namespace croquis::gpu {
 enum class TextureFormat {
     rgba8,    ///< colours
     rgba16f,  ///< where the context can draw to it
-    depth,    ///< 24 bits, window-space depth
+    depth,    ///< 24 bits of window-space depth, and 8 of stencil that samplers do not see
 };
 
 enum class Filter { nearest, trilinear };

@@ -1,0 +1,40 @@
+// Hidden-line removal that keeps whatever the frame holds: surfaces fill the depth alone, then lines are drawn at less
+// or equal depth (seed A, 2.3.2).
+#pragma once
+
+#include <memory>
+
+#include "framework/render_context.h"
+
+namespace croquis::components {
+
+class Occluder {
+public:
+    explicit Occluder(framework::Resources& resources)
+        : program_(resources.program("default:default_transform", "attributes:nothing")) {}
+
+    struct Options {
+        float push_back = 0;  ///< gpu::DrawState's
+        /// Each mesh is drawn so large about its middle: below 1, lines that were moved off the surface are kept.
+        float scale = 1;
+    };
+
+    /// Draws the selected surfaces into the depth of the bound frame, and marks them as surfaces.
+    void fill_depth(framework::RenderContext& context, const framework::ObjectSelection& selection,
+                    const Options& options) const {
+        program_->use();
+        context.apply(*program_);
+        context.scene.draw_surfaces(selection, *program_,
+                                    {.depth_test = gpu::DepthTest::nearer,
+                                     .write_depth = true,
+                                     .write_color = false,
+                                     .push_back = options.push_back,
+                                     .stencil = gpu::Stencil::mark_surface},
+                                    {.eye_is_outside = context.eye_is_outside(), .scale = options.scale});
+    }
+
+private:
+    std::shared_ptr<const gpu::Program> program_;
+};
+
+}  // namespace croquis::components

@@ -1,0 +1,66 @@
+// The edges that outlines are drawn along: which of a surface's edges bound what the eye sees of it, as instances for
+// data/shaders/outline.glsl. Found on the processor: the software renderer runs a vertex shader for the four corners of
+// every edge of the mesh ten times longer than it shades the surface (docs/performance.md).
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "lines/silhouette_finder.h"
+#include "lines/surface.h"
+#include "lines/viewpoint.h"
+
+namespace croquis::components {
+
+/// A line to draw. Points are in scene space.
+struct OutlineEdge {
+    glm::vec3 start, end;
+    glm::vec3 inside;  ///< a point on the side of the line where the surface lies
+    glm::u8vec4 start_color, end_color;
+};
+
+/// An edge and the third corner of one of its faces.
+struct EdgeWithFace {
+    std::uint32_t edge = 0;
+    std::uint32_t inside = 0;
+};
+
+/// Finds edges of one surface, view after view.
+class OutlineEdges {
+public:
+    explicit OutlineEdges(std::shared_ptr<const lines::Surface> surface);
+
+    [[nodiscard]] const lines::Surface& surface() const { return *surface_; }
+
+    /// Edges all whose faces lie on one side of them as the eye sees it: of a closed surface those between a face that
+    /// is turned to the eye and one that is not, and borders always. `shown` has an entry a mesh.
+    [[nodiscard]] std::vector<EdgeWithFace> contours(const lines::Viewpoint& view, const std::vector<bool>& shown);
+
+    enum class Facing { front, back };
+    /// All edges of the faces that are turned to the eye, or away from it: what drawing those faces in line mode shows.
+    [[nodiscard]] std::vector<EdgeWithFace> edges_of_faces(const lines::Viewpoint& view, Facing facing,
+                                                           const std::vector<bool>& shown) const;
+
+private:
+    [[nodiscard]] bool bounds_its_faces(std::uint32_t edge, const lines::Viewpoint& view) const;
+    [[nodiscard]] std::uint32_t third_corner(std::uint32_t edge, std::uint32_t face) const;
+
+    std::shared_ptr<const lines::Surface> surface_;
+    std::unique_ptr<lines::SilhouetteFinder> finder_;
+};
+
+/// A colour for each vertex of the model's topology: what material, texture and vertex colours make of it, darkened by
+/// a share of its brightness (seed A, 3.6.3).
+[[nodiscard]] std::vector<glm::u8vec4> own_line_colors(const model::Model& model, float darkening);
+
+/// An offset for each vertex of the model's topology, each component between plus and minus `amount` scene units:
+/// random vertex by vertex (seed B, algorithm 3) where `grain` is 0, else smooth over `grain` scene units, so that
+/// dense meshes keep calm lines. Depends on the vertex at rest alone: it stays when the model moves.
+[[nodiscard]] std::vector<glm::vec3> ink_offsets(const model::Model& model, float amount, float grain,
+                                                 std::uint64_t seed);
+
+}  // namespace croquis::components
