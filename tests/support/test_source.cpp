@@ -28,10 +28,10 @@ std::vector<Pixel> flipped(const image::Raster<Pixel>& raster) {
 struct Send {
     void operator()(const image::Image& image) const { send(image, GL_RGBA, GL_UNSIGNED_BYTE); }
     void operator()(const DepthValues& depths) const {
-        // The 24 bits repeated below themselves: the same share of the 32-bit range.
-        DepthValues wide = depths;
-        for (std::uint32_t& depth : wide.pixels()) depth = (depth << 8) | (depth >> 16);
-        send(wide, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT);
+        // The 24 bits above those of the stencil.
+        DepthValues words = depths;
+        for (std::uint32_t& depth : words.pixels()) depth <<= 8;
+        send(words, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8);
     }
 
     template <typename Pixel>
