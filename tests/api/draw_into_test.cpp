@@ -117,11 +117,20 @@ std::map<std::string, std::vector<int>> state() {
     integers("culled face", GL_CULL_FACE_MODE, 1);
     integers("front face", GL_FRONT_FACE, 1);
     integers("pack alignment", GL_PACK_ALIGNMENT, 1);
+    integers("stencil function", GL_STENCIL_FUNC, 1);
+    integers("stencil reference", GL_STENCIL_REF, 1);
+    integers("stencil read mask", GL_STENCIL_VALUE_MASK, 1);
+    integers("stencil write mask", GL_STENCIL_WRITEMASK, 1);
+    integers("stencil operation", GL_STENCIL_PASS_DEPTH_PASS, 1);
+    integers("stencil function behind", GL_STENCIL_BACK_FUNC, 1);
+    integers("stencil write mask behind", GL_STENCIL_BACK_WRITEMASK, 1);
+    integers("stencil operation behind", GL_STENCIL_BACK_FAIL, 1);
     integers("clear colour", GL_COLOR_CLEAR_VALUE, 4);
     for (const auto& [name, what] : {std::pair("depth test", GL_DEPTH_TEST),
                                      {"blend", GL_BLEND},
                                      {"cull", GL_CULL_FACE},
                                      {"scissor", GL_SCISSOR_TEST},
+                                     {"stencil", GL_STENCIL_TEST},
                                      {"polygon offset", GL_POLYGON_OFFSET_FILL}}) {
         state[name] = {glIsEnabled(GLenum(what))};
     }
@@ -146,7 +155,7 @@ TEST_F(DrawInto, PutsTheCallersStateBack) {
     glGenBuffers(1, &buffer);
     glGenVertexArrays(1, &array);
     glGenTextures(3, textures);
-    for (const char* name : {"phong", "cartoon_per_vertex", "wireframe", "edges"}) {
+    for (const char* name : {"phong", "cartoon_per_vertex", "wireframe", "edges", "outline_lines"}) {
         Technique technique = renderer.open_technique(name);
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
         glBindVertexArray(array);
@@ -167,12 +176,20 @@ TEST_F(DrawInto, PutsTheCallersStateBack) {
         glEnable(GL_SCISSOR_TEST);
         glScissor(1, 2, 3, 4);
         glEnable(GL_CULL_FACE);
+        glEnable(GL_STENCIL_TEST);
+        glStencilFuncSeparate(GL_FRONT, GL_LESS, 5, 0x3f);
+        glStencilFuncSeparate(GL_BACK, GL_GEQUAL, 5, 0x3f);
+        glStencilMaskSeparate(GL_FRONT, 0x0f);
+        glStencilMaskSeparate(GL_BACK, 0x33);
+        glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_KEEP, GL_INCR);
+        glStencilOpSeparate(GL_BACK, GL_INVERT, GL_KEEP, GL_KEEP);
         glPolygonOffset(7, 9);
         const auto before = state();
         renderer.draw_into(framebuffer_, model, technique, small(width, height));
         const auto after = state();
         for (const auto& [what, values] : before) EXPECT_EQ(after.at(what), values) << what << ", technique " << name;
         glDisable(GL_SCISSOR_TEST);
+        glDisable(GL_STENCIL_TEST);
         glDisable(GL_CULL_FACE);
     }
 }
