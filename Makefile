@@ -25,7 +25,8 @@ docs: build
 	@tools/make_docs.py --croquis $(BUILD)/croquis
 
 bench: build
-	@for program in croquis_bench croquis_bench_strokes croquis_bench_finders croquis_bench_lines; do \
+	@$(BUILD)/croquis bench --techniques all
+	@for program in croquis_bench_strokes croquis_bench_finders croquis_bench_lines; do \
 	    $(BUILD)/bench/$$program --benchmark_enable_random_interleaving=true || exit 1; \
 	done
 

@@ -23,8 +23,9 @@ MAY_USE = {
     "components": {"base", "model", "image", "gpu", "lines", "framework"},
     "output": {"base", "image", "lines"},
     "api": {"base", "model", "image", "lines", "gpu", "framework", "components", "output", "croquis"},
+    "bench": {"base", "output", "croquis"},
 }
-APPS_MAY_USE = {"croquis", "framework", "base"}
+APPS_MAY_USE = {"croquis", "bench", "framework", "base"}
 # Below the API, one public header is known: the error that everything throws.
 PUBLIC_HEADERS_OF_BASE = {"croquis/error.h"}
 
@@ -114,9 +115,11 @@ SELF_TEST = [
     ("src/components/a.cpp", '#include "croquis/renderer.h"', "must not include croquis/renderer.h"),
     ("src/output/a.cpp", '#include "model/model.h"', "output may use base, image, lines only"),
     ("src/api/a.cpp", '#include "croquis/view.h"\n#include "output/png.h"', None),
+    ("src/bench/a.cpp", '#include "croquis/renderer.h"\n#include "output/line_plot.h"', None),
+    ("src/bench/a.cpp", '#include "framework/scene.h"', "bench may use base, croquis, output only"),
     ("src/odd/a.cpp", '#include "base/error.h"', "the folder src/odd has no place in the design"),
     ("apps/croquis/a.cpp", '#include "commands.h"\n#include "framework/library.h"\n#include "croquis/view.h"', None),
-    ("apps/croquis/a.cpp", '#include "gpu/context.h"', "apps may use base, croquis, framework only"),
+    ("apps/croquis/a.cpp", '#include "gpu/context.h"', "apps may use base, bench, croquis, framework only"),
     ("include/croquis/a.h", '#include "croquis/error.h"\n// OpenGL, as glClear does\n#include <string>', None),
     ("include/croquis/a.h", '#include "base/error.h"', "a public header includes public headers only"),
     ("include/croquis/a.h", "#include <epoxy/gl.h>", "only src/gpu knows OpenGL's headers"),

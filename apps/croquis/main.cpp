@@ -62,6 +62,7 @@ int run(int argc, char** argv) {
     Commands commands;
     add_render_command(program, commands);
     add_lines_command(program, commands, command_line(argc, argv));
+    add_bench_command(program, commands);
     add_list_command(program, commands);
     add_describe_command(program, commands);
     add_doctor_command(program, commands);
@@ -73,7 +74,8 @@ int run(int argc, char** argv) {
         return refuse(unknown_argument(program));
     } catch (const CLI::ParseError& error) {
         if (argc < 2)
-            return refuse("expected a command: render, lines, list, describe or doctor; croquis --help tells more");
+            return refuse(
+                "expected a command: render, lines, bench, list, describe or doctor; croquis --help tells more");
         if (program.get_subcommands().empty() && argc >= 2) return refuse(unknown_argument(program));
         return refuse(first_line(error.what()));
     }

@@ -11,7 +11,9 @@ namespace croquis::app {
 
 Progress::Progress(std::size_t total) : total_(total), is_shown_(total > 1 && ::isatty(STDERR_FILENO) != 0) {}
 
-Progress::~Progress() {
+Progress::~Progress() { clear(); }
+
+void Progress::clear() {
     if (is_shown_) fmt::print(stderr, "\r\033[K");
 }
 

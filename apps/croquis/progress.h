@@ -17,6 +17,9 @@ public:
     /// Says what is being worked on now.
     void next(const std::string& what);
 
+    /// Takes the line away, before something else is printed.
+    void clear();
+
 private:
     std::size_t total_;
     std::size_t done_ = 0;

@@ -7,8 +7,8 @@
 
 #include "base/error.h"
 #include "base/names.h"
+#include "built_in_model.h"
 #include "commands.h"
-#include "framework/data_folders.h"
 #include "parse.h"
 #include "progress.h"
 #include "subdivision_options.h"
@@ -20,7 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int exit_different = 1;
-constexpr const char* built_in_model = "teapot";
 
 struct RenderOptions {
     Common common;
@@ -35,6 +34,7 @@ struct RenderOptions {
     std::string background;
     int samples = 1;
     std::string texture;
+    std::size_t simplify = 0;
     SubdivisionOptions subdivision;
     std::uint64_t seed = 0;
     std::string output;
@@ -68,6 +68,8 @@ void RenderOptions::add_to(CLI::App& command) {
         ->check(check_whole_number)
         ->capture_default_str();
     command.add_option("--texture", texture, "Image for all surfaces in place of the materials' own");
+    command.add_option("--simplify", simplify, "Draw the model in so many triangles, where it has more")
+        ->check(check_whole_number);
     subdivision.add_to(command);
     command.add_option("--seed", seed, "Seed of everything random")->check(check_whole_number)->capture_default_str();
     command.add_option("--reference", reference, "Picture to compare with; exit status 1 when it differs");
@@ -99,16 +101,8 @@ struct Job {
     std::string output;
 };
 
-std::string built_in_model_path(const RenderOptions& options) {
-    const auto folders =
-        framework::DataFolders::find({options.common.data_folders.begin(), options.common.data_folders.end()});
-    const fs::path path = folders.find("models", built_in_model, ".obj");
-    if (path.empty()) fail("no built-in model: no data folder has models/{}.obj", built_in_model);
-    return path.string();
-}
-
 std::vector<Job> single_job(const RenderOptions& options) {
-    Job job{options.model.empty() ? built_in_model_path(options) : options.model, options.output};
+    Job job{options.model.empty() ? built_in_model_path(options.common) : options.model, options.output};
     const bool only_compares = !options.reference.empty() || options.list_passes;
     if (job.output.empty() && !only_compares) job.output = fs::path(job.model).stem().string() + ".png";
     return {job};
@@ -178,7 +172,9 @@ int run(const RenderOptions& options) {
     for (const Job& job : jobs) {
         progress.next(job.model);
         try {
-            const Model model = options.subdivision.applied_to(Model::load(job.model, options.texture));
+            Model loaded = Model::load(job.model, options.texture);
+            if (options.simplify > 0) loaded = loaded.simplified(options.simplify);
+            const Model model = options.subdivision.applied_to(std::move(loaded));
             const Picture picture = renderer.draw(model, technique, draw);
             if (!options.reference.empty()) all_match = matches_reference(picture, options) && all_match;
             if (!job.output.empty()) picture.save(job.output);

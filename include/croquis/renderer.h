@@ -99,6 +99,10 @@ public:
     [[nodiscard]] std::vector<PassTime> time_passes(const Model& model, Technique& technique,
                                                     const DrawOptions& options = {});
 
+    /// Draws so many frames one after another, waits until the last is finished, and tells how many milliseconds one
+    /// took. Reads nothing back. The first frames of a technique compile and upload: draw some before.
+    [[nodiscard]] double time_frames(const Model& model, Technique& technique, const DrawOptions& options, int frames);
+
     /// How many OpenGL objects are alive, what was drawn, read back, linked and uploaded since the start.
     struct Counts {
         int live_objects = 0;

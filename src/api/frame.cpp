@@ -45,17 +45,18 @@ void Frame::draw_mean() const {
     resources_->draw_full_screen();
 }
 
+gpu::Framebuffer& Frame::resolve() {
+    if (pixel_scale_ == 1) return samples_;
+    if (!mean_) mean_ = resources_->program("image:full_screen", "image:mean_of_samples");
+    picture_.resize(width_, height_);
+    picture_.bind();
+    gpu::apply({});
+    draw_mean();
+    return picture_;
+}
+
 std::vector<std::uint8_t> Frame::read() {
-    gpu::Framebuffer* source = &samples_;
-    if (pixel_scale_ > 1) {
-        if (!mean_) mean_ = resources_->program("image:full_screen", "image:mean_of_samples");
-        picture_.resize(width_, height_);
-        picture_.bind();
-        gpu::apply({});
-        draw_mean();
-        source = &picture_;
-    }
-    std::vector<std::uint8_t> pixels = source->read_pixels();
+    std::vector<std::uint8_t> pixels = resolve().read_pixels();
     divide_by_alpha(pixels);
     return pixels;
 }

@@ -19,6 +19,9 @@ public:
     /// What techniques draw to: width · scale × height · scale pixels, colours multiplied by alpha.
     [[nodiscard]] gpu::Framebuffer& target() { return samples_; }
 
+    /// Draws what is still missing of the picture: the mean of its samples. What it returns holds the picture.
+    gpu::Framebuffer& resolve();
+
     /// The picture: samples averaged, colours not multiplied by alpha, rows from top to bottom.
     [[nodiscard]] std::vector<std::uint8_t> read();
 

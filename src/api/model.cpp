@@ -1,6 +1,7 @@
 #include "croquis/model.h"
 
 #include "model/load.h"
+#include "model/simplification.h"
 #include "model/subdivision.h"
 
 namespace croquis {
@@ -26,6 +27,8 @@ std::vector<Animation> Model::animations() const {
 Model Model::subdivided(const std::string& scheme, int levels) const {
     return Model(model::subdivide(*model_, model::subdivision_scheme(scheme), levels));
 }
+
+Model Model::simplified(std::size_t triangles) const { return Model(model::simplified(model_, triangles)); }
 
 std::array<double, 3> Model::low_corner() const {
     const glm::dvec3 corner = model_->origin + glm::dvec3(model_->bounds.low);

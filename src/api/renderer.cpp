@@ -1,6 +1,7 @@
 #include "croquis/renderer.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <map>
 
@@ -218,6 +219,19 @@ std::vector<PassTime> Renderer::time_passes(const Model& model, Technique& techn
     std::vector<PassTime> times;
     for (std::size_t i = 0; i < names.size(); ++i) times.push_back({names[i], milliseconds[i]});
     return times;
+}
+
+double Renderer::time_frames(const Model& model, Technique& technique, const DrawOptions& options, int frames) {
+    if (frames < 1) fail("expected at least 1 frame to time, found {}", frames);
+    state_->context->make_current();
+    state_->context->finish();
+    const auto begun = std::chrono::steady_clock::now();
+    for (int i = 0; i < frames; ++i) {
+        state_->draw_frame(model.model_, technique.opened_->technique, options, nullptr);
+        state_->frame.resolve();
+    }
+    state_->context->finish();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count() / frames;
 }
 
 Renderer::Counts Renderer::counts() const {

@@ -6,16 +6,18 @@ import re
 import program
 from program import DATA
 
-COMMANDS = ["render", "lines", "list", "describe", "doctor"]
+COMMANDS = ["render", "lines", "bench", "list", "describe", "doctor"]
 # Options that each command's help must name.
 OPTIONS = {
     "render": ["--output", "--technique", "--set", "--size", "--view", "--eye", "--target", "--up", "--fov", "--fit",
                "--projection", "--light", "--light-color", "--background", "--samples", "--animation", "--time",
-               "--texture", "--subdivide", "--scheme", "--seed", "--reference", "--threshold", "--list-passes", "--input-dir", "--data", "--gl",
+               "--texture", "--simplify", "--subdivide", "--scheme", "--seed", "--reference", "--threshold", "--list-passes", "--input-dir", "--data", "--gl",
                "--device"],
     "lines": ["--output", "--format", "--size", "--paper", "--landscape", "--margin", "--view", "--views", "--classes",
               "--width", "--hidden", "--hidden-width", "--crease-angle", "--fill", "--stroke", "--plotter", "--clean",
               "--exact", "--visibility", "--finder", "--subdivide", "--scheme", "--seed", "--timings", "--repeat"],
+    "bench": ["--techniques", "--size", "--view", "--coverage", "--levels", "--triangles", "--frames", "--seconds",
+              "--passes", "--stability", "--json", "--plot", "--data", "--gl", "--device"],
     "list": ["--json", "--data"],
     "describe": ["--json", "--data", "name"],
     "doctor": ["--gl", "--device"],

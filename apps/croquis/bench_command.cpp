@@ -1,0 +1,134 @@
+// croquis bench: what techniques cost, as ratios to the default renderer of the same run.
+#include <fmt/format.h>
+
+#include <charconv>
+#include <filesystem>
+#include <system_error>
+
+#include "base/error.h"
+#include "base/files.h"
+#include "base/names.h"
+#include "bench/benchmark.h"
+#include "bench/reports.h"
+#include "built_in_model.h"
+#include "commands.h"
+#include "parse.h"
+#include "progress.h"
+
+namespace croquis::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct BenchOptions {
+    Common common;
+    std::string model;
+    std::string texture;
+    std::string techniques = "base,gouraud,cartoon,edges,cartoon_strokes,wireframe";
+    std::string size = "620x500";
+    std::string direction = "12.73,17.85,12.52";
+    bench::Protocol protocol;
+    std::string triangles;
+    std::string json, plot;
+
+    void add_to(CLI::App& command);
+};
+
+void BenchOptions::add_to(CLI::App& command) {
+    command.add_option("model", model, "Model file; a built-in teapot where none is named");
+    command.add_option("--texture", texture, "Image for all surfaces in place of the materials' own");
+    command
+        .add_option("-t,--techniques", techniques,
+                    "Names or .technique files, A,B,..., or all; phong, the default renderer, is always measured")
+        ->capture_default_str();
+    command.add_option("--size", size, "Pixels, WIDTHxHEIGHT")->capture_default_str();
+    command.add_option("--view", direction, "Direction from the box's centre to the eye, X,Y,Z, or a named view")
+        ->capture_default_str();
+    command.add_option("--coverage", protocol.coverage, "Percent of the pixels that the whole model covers")
+        ->check(check_number)
+        ->capture_default_str();
+    command.add_option("--levels", protocol.levels, "Levels of detail, each of half the faces of the one before")
+        ->check(check_whole_number)
+        ->capture_default_str();
+    command.add_option("--triangles", triangles, "Levels of detail of N,N,... triangles, in place of --levels");
+    command
+        .add_option("--frames", protocol.frames, "Frames of each technique at each level, unless --seconds end first")
+        ->check(check_whole_number)
+        ->capture_default_str();
+    command.add_option("--seconds", protocol.seconds, "Seconds for each technique at each level")
+        ->check(check_number)
+        ->capture_default_str();
+    command.add_flag("--passes", protocol.passes, "The time of each pass as well");
+    command.add_flag("--stability", protocol.stability, "How much the pictures change while the model turns");
+    command.add_option("--json", json, "JSON file to write, - for standard output");
+    command.add_option("--plot", plot, "SVG or PNG file with the ratios over the number of triangles");
+    common.add_to(command);
+}
+
+std::vector<std::string> techniques_of(const BenchOptions& options, const Renderer& renderer) {
+    const std::vector<std::string> names = split(options.techniques, ",");
+    if (names.empty()) fail("--techniques: expected names, found \"{}\"", options.techniques);
+    return names == std::vector<std::string>{"all"} ? renderer.technique_names() : names;
+}
+
+std::vector<std::size_t> parse_triangles(const std::string& text) {
+    std::vector<std::size_t> counts;
+    for (const std::string& word : split(text, ",")) {
+        std::size_t count = 0;
+        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), count);
+        if (error != std::errc() || end != word.data() + word.size() || count == 0) {
+            fail("--triangles: expected whole numbers above 0, found \"{}\"", text);
+        }
+        counts.push_back(count);
+    }
+    return counts;
+}
+
+// Refuses before anything is measured what could not be written after it.
+void check_output(const std::string& path) {
+    if (path.empty() || path == "-") return;
+    const fs::path folder = fs::path(path).parent_path();
+    std::error_code error;
+    if (!folder.empty() && !fs::is_directory(folder, error)) fail("{}: no such folder", folder.string());
+}
+
+std::string plot_format(const std::string& path) {
+    const std::string ending = fs::path(path).extension().string();
+    if (ending != ".svg" && ending != ".png")
+        fail("--plot: expected a file that ends in .svg or .png, found \"{}\"", path);
+    return ending.substr(1);
+}
+
+int run(const BenchOptions& options) {
+    bench::Protocol protocol = options.protocol;
+    const Size pixels = parse_size(options.size, "--size");
+    protocol.width = pixels.width;
+    protocol.height = pixels.height;
+    protocol.direction = parse_view(options.direction);
+    protocol.triangles = parse_triangles(options.triangles);
+    for (const std::string& path : {options.json, options.plot}) check_output(path);
+    if (!options.plot.empty()) (void)plot_format(options.plot);
+    Renderer renderer = Renderer::headless(options.common.choice());
+    protocol.techniques = techniques_of(options, renderer);
+    const std::string path = options.model.empty() ? built_in_model_path(options.common) : options.model;
+    const Model model = Model::load(path, options.texture);
+    Progress progress(bench::step_count(protocol));
+    const bench::Benchmark result = bench::measure(renderer, model, fs::path(path).filename().string(), protocol,
+                                                   [&](const std::string& what) { progress.next(what); });
+    progress.clear();
+    if (options.json != "-") fmt::print("{}", bench::table(result));
+    if (!options.json.empty()) write_file_whole(options.json, bench::json(result));
+    if (!options.plot.empty()) write_file_whole(options.plot, bench::ratio_plot(result, plot_format(options.plot)));
+    return 0;
+}
+
+}  // namespace
+
+void add_bench_command(CLI::App& program, Commands& commands) {
+    CLI::App* command = program.add_subcommand("bench", "Measures techniques against the default renderer");
+    const auto options = std::make_shared<BenchOptions>();
+    options->add_to(*command);
+    commands[command] = [options] { return run(*options); };
+}
+
+}  // namespace croquis::app
