@@ -64,11 +64,11 @@ std::vector<EdgeWithFace> OutlineEdges::edges_of_faces(const lines::Viewpoint& v
     });
     std::vector<EdgeWithFace> found;
     for (std::uint32_t edge = 0; edge < topology.edges.size(); ++edge) {
-        for (const std::uint32_t face : topology.edges[edge].faces) {
-            if (face == model::no_face || drawn[face] == 0) continue;
-            found.push_back({edge, third_corner(edge, face)});
-            break;
-        }
+        const auto& [first, second] = topology.edges[edge].faces;
+        const bool first_drawn = drawn[first] != 0, second_drawn = second != model::no_face && drawn[second] != 0;
+        const bool within_solid = first_drawn && second_drawn && topology.mesh_is_solid[topology.faces[first].mesh];
+        if (within_solid || (!first_drawn && !second_drawn)) continue;
+        found.push_back({edge, third_corner(edge, first_drawn ? first : second)});
     }
     return found;
 }

@@ -41,7 +41,9 @@ public:
     [[nodiscard]] std::vector<EdgeWithFace> contours(const lines::Viewpoint& view, const std::vector<bool>& shown);
 
     enum class Facing { front, back };
-    /// All edges of the faces that are turned to the eye, or away from it: what drawing those faces in line mode shows.
+    /// The edges of the faces that are turned to the eye, or away from it: what drawing those faces in line mode shows.
+    /// Of closed meshes only those that faces of both kinds share: other back edges are hidden, other front edges have
+    /// no back edge to meet.
     [[nodiscard]] std::vector<EdgeWithFace> edges_of_faces(const lines::Viewpoint& view, Facing facing,
                                                            const std::vector<bool>& shown) const;
 

@@ -23,27 +23,32 @@ std::string outlined(const std::string& settings) {
 bool is_white(const glm::u8vec4& color) { return color == white; }
 bool is_black(const glm::u8vec4& color) { return color == black; }
 
-// The pixels of a picture that are not white, and how far any pixel lies from the nearest of them: by brute force.
+// The pixels of a picture that are not white, and how far any pixel lies from the nearest of them: by brute force over
+// those at the rim.
 class Mask {
 public:
-    explicit Mask(const image::Image& picture) : width_(picture.width()), height_(picture.height()) {
-        for (int y = 0; y < height_; ++y) {
-            for (int x = 0; x < width_; ++x) {
-                if (!is_white(picture.at(x, y))) inside_.emplace_back(x, y);
+    explicit Mask(const image::Image& picture) : picture_(picture) {
+        for (int y = 0; y < picture.height(); ++y) {
+            for (int x = 0; x < picture.width(); ++x) {
+                const auto around = cross_at(picture, x, y);
+                if (!is_white(around[0]) && std::any_of(around.begin(), around.end(), is_white))
+                    rim_.emplace_back(x, y);
             }
         }
     }
     [[nodiscard]] double distance(int x, int y) const {
-        double nearest = 1e9;
-        for (const glm::ivec2& pixel : inside_) {
-            nearest = std::min(nearest, std::hypot(double(pixel.x - x), double(pixel.y - y)));
+        if (!is_white(picture_.at(x, y))) return 0;
+        int nearest = 1 << 30;
+        for (const glm::ivec2& pixel : rim_) {
+            const glm::ivec2 apart = pixel - glm::ivec2(x, y);
+            nearest = std::min(nearest, apart.x * apart.x + apart.y * apart.y);
         }
-        return nearest;
+        return std::sqrt(double(nearest));
     }
 
 private:
-    int width_, height_;
-    std::vector<glm::ivec2> inside_;
+    image::Image picture_;
+    std::vector<glm::ivec2> rim_;
 };
 
 class Outlines : public StudioTest {
