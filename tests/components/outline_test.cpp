@@ -132,13 +132,13 @@ TEST_F(Outlines, HaloShowsWhereTheDepthJumpsByMore) {
     const ModelPointer model = cube_before_board(0.2f);
     const double radius = model::SceneSpace::of(*model).radius;
     // The line stands at the depth of the cube's front, 1.2 before the board: the eye sees that edge as the outline.
-    for (const double share : {0.9, 1.1}) {
-        Stage stage(
-            studio(),
-            {.model = model, .view = seen_from({0, 0, 1}, model::Projection::parallel), .width = 100, .height = 100});
+    for (const auto projection : {model::Projection::perspective, model::Projection::parallel}) {
+        Stage stage(studio(), {.model = model, .view = seen_from({0, 0, 1}, projection), .width = 100, .height = 100});
         const Mask cube(stage.picture("pass render_base surfaces { clear_color 1 1 1 ; objects \"cube\" ; } ;"));
-        const auto settings = fmt::format("method \"halo\" ; width 4 ; halo_depth {} ;", share * 1.2 / radius);
-        EXPECT_EQ(is_black(beside_cube(stage.picture(outlined(settings)), cube, 4)), share < 1) << share;
+        for (const double share : {0.9, 1.1}) {
+            const auto settings = fmt::format("method \"halo\" ; width 4 ; halo_depth {} ;", share * 1.2 / radius);
+            EXPECT_EQ(is_black(beside_cube(stage.picture(outlined(settings)), cube, 4)), share < 1) << share;
+        }
     }
 }
 
