@@ -148,6 +148,22 @@ TEST(Measure, RatiosAreToTheDefaultRendererOfTheLevel) {
     EXPECT_GT(result.stabilities[1].change, 0);
 }
 
+// Lines are found and uploaded anew only when the view changed.
+TEST(Measure, TurnsFromFrameToFrame) {
+    Renderer renderer = Renderer::headless();
+    const Model cube = shipped("cube.obj");
+    const auto uploads = [&](double turn) {
+        Protocol protocol = quick();
+        protocol.techniques = {"lines"};
+        protocol.turn = turn;
+        const long long before = renderer.counts().geometry_uploads;
+        (void)measure(renderer, cube, "cube.obj", protocol, [](const std::string&) {});
+        return renderer.counts().geometry_uploads - before;
+    };
+    const long long still = uploads(0);
+    EXPECT_GE(uploads(1), still + 22);
+}
+
 TEST(Measure, SaysWhatIsWrong) {
     Renderer renderer = Renderer::headless();
     const Model cube = shipped("cube.obj");

@@ -42,7 +42,8 @@ double coverage(const Model& model, const Bounds& frame, const glm::dvec3& direc
                 for (int x = std::max(low.x, 0); x < std::min(high.x, side); ++x) {
                     const glm::dvec2 p(x + 0.5, y + 0.5);
                     const double u = turn(a, b, p), v = turn(b, c, p), w = turn(c, a, p);
-                    if ((u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0)) is_covered[y * side + x] = true;
+                    if ((u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0))
+                        is_covered[std::size_t(y * side + x)] = true;
                 }
             }
         }
