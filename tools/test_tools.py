@@ -15,6 +15,7 @@ import machine_parts
 import make_gallery
 import make_models
 import meshes
+import paper_tables
 import teapot
 from make_data import DATA
 from shared import read_png, write_png
@@ -209,6 +210,25 @@ class Gallery(unittest.TestCase):
     def test_commands_are_the_lines_of_sh_blocks(self):
         page = "a\n```sh\n# no\ncroquis lines a.obj \\\n  -o a.svg\n```\n```text\ncroquis x\n```\n```sh\ntools/b.py\n```\n"
         self.assertEqual(make_gallery.commands_of(page), [["croquis", "lines", "a.obj", "-o", "a.svg"], ["tools/b.py"]])
+
+
+class PaperTables(unittest.TestCase):
+    def test_a_figure_for_each_number_of_faces(self):
+        for table in paper_tables.TABLES:
+            for column in table.columns:
+                with self.subTest(table=table.title, column=column.paper_name):
+                    self.assertEqual(len(column.fps), len(table.faces))
+
+    def test_shares_are_of_the_first_column(self):
+        columns = [paper_tables.Column("Plain", "phong", (100, 50)), paper_tables.Column("Inked", "cartoon", (40, None))]
+        table = paper_tables.Table("Seed X", (1000, 2000), columns)
+        text = paper_tables.markdown(table, columns, {columns[0]: [300, 200], columns[1]: [150, 50]})
+        self.assertEqual(text.splitlines()[4:], [
+            "| Plain (`phong`) | 1,000 | 100 | 300 | 1.00 | 1.00 |",
+            "|  | 2,000 | 50 | 200 | 1.00 | 1.00 |",
+            "| Inked (`cartoon`) | 1,000 | 40 | 150 | 0.40 | 0.50 |",
+            "|  | 2,000 |  | 50 |  | 0.25 |",
+        ])
 
 
 if __name__ == "__main__":

@@ -14,6 +14,7 @@
 #include "commands.h"
 #include "parse.h"
 #include "progress.h"
+#include "subdivision_options.h"
 
 namespace croquis::app {
 namespace {
@@ -24,6 +25,7 @@ struct BenchOptions {
     Common common;
     std::string model;
     std::string texture;
+    SubdivisionOptions subdivision;
     std::string techniques = "base,gouraud,cartoon,edges,cartoon_strokes,wireframe";
     std::string size = "620x500";
     std::string direction = "12.73,17.85,12.52";
@@ -37,6 +39,7 @@ struct BenchOptions {
 void BenchOptions::add_to(CLI::App& command) {
     command.add_option("model", model, "Model file; a built-in teapot where none is named");
     command.add_option("--texture", texture, "Image for all surfaces in place of the materials' own");
+    subdivision.add_to(command);
     command
         .add_option("-t,--techniques", techniques,
                     "Names or .technique files, A,B,..., or all; phong, the default renderer, is always measured")
@@ -45,6 +48,9 @@ void BenchOptions::add_to(CLI::App& command) {
     command.add_option("--view", direction, "Direction from the box's centre to the eye, X,Y,Z, or a named view")
         ->capture_default_str();
     command.add_option("--coverage", protocol.coverage, "Percent of the pixels that the whole model covers")
+        ->check(check_number)
+        ->capture_default_str();
+    command.add_option("--turn", protocol.turn, "Degrees by which the eye goes around the model from frame to frame")
         ->check(check_number)
         ->capture_default_str();
     command.add_option("--levels", protocol.levels, "Levels of detail, each of half the faces of the one before")
@@ -111,7 +117,7 @@ int run(const BenchOptions& options) {
     Renderer renderer = Renderer::headless(options.common.choice());
     protocol.techniques = techniques_of(options, renderer);
     const std::string path = options.model.empty() ? built_in_model_path(options.common) : options.model;
-    const Model model = Model::load(path, options.texture);
+    const Model model = options.subdivision.applied_to(Model::load(path, options.texture));
     Progress progress(bench::step_count(protocol));
     const bench::Benchmark result = bench::measure(renderer, model, fs::path(path).filename().string(), protocol,
                                                    [&](const std::string& what) { progress.next(what); });

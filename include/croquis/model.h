@@ -46,8 +46,9 @@ public:
     /// `scheme` is loop or catmull-clark. The result stands still. Throws Error.
     [[nodiscard]] Model subdivided(const std::string& scheme, int levels) const;
 
-    /// The model in so many triangles, give or take 3 %: a level of detail. Its outline, materials, seams and animations
-    /// are kept; a model of no more triangles comes back as it is. Throws Error where the model cannot do with so few.
+    /// The model in so many triangles, give or take 3 %: a level of detail. Its outline, materials, seams and
+    /// animations are kept; a model of no more triangles comes back as it is. Throws Error where the model cannot do
+    /// with so few.
     [[nodiscard]] Model simplified(std::size_t triangles) const;
 
 private:

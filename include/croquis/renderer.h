@@ -99,9 +99,10 @@ public:
     [[nodiscard]] std::vector<PassTime> time_passes(const Model& model, Technique& technique,
                                                     const DrawOptions& options = {});
 
-    /// Draws so many frames one after another, waits until the last is finished, and tells how many milliseconds one
-    /// took. Reads nothing back. The first frames of a technique compile and upload: draw some before.
-    [[nodiscard]] double time_frames(const Model& model, Technique& technique, const DrawOptions& options, int frames);
+    /// Draws frames one after another, waits until the last is finished, and tells how many milliseconds one took.
+    /// Reads nothing back. The first frames of a technique compile and upload: draw some before. Throws Error for no
+    /// frames.
+    [[nodiscard]] double time_frames(const Model& model, Technique& technique, const std::vector<DrawOptions>& frames);
 
     /// How many OpenGL objects are alive, what was drawn, read back, linked and uploaded since the start.
     struct Counts {

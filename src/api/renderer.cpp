@@ -221,17 +221,18 @@ std::vector<PassTime> Renderer::time_passes(const Model& model, Technique& techn
     return times;
 }
 
-double Renderer::time_frames(const Model& model, Technique& technique, const DrawOptions& options, int frames) {
-    if (frames < 1) fail("expected at least 1 frame to time, found {}", frames);
+double Renderer::time_frames(const Model& model, Technique& technique, const std::vector<DrawOptions>& frames) {
+    if (frames.empty()) fail("expected at least 1 frame to time, found 0");
     state_->context->make_current();
     state_->context->finish();
     const auto begun = std::chrono::steady_clock::now();
-    for (int i = 0; i < frames; ++i) {
+    for (const DrawOptions& options : frames) {
         state_->draw_frame(model.model_, technique.opened_->technique, options, nullptr);
         state_->frame.resolve();
     }
     state_->context->finish();
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count() / frames;
+    const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - begun;
+    return taken.count() / double(frames.size());
 }
 
 Renderer::Counts Renderer::counts() const {

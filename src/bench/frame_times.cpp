@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "bench/framing.h"
+
 namespace croquis::bench {
 namespace {
 
@@ -14,6 +16,13 @@ int batch_size(double milliseconds, const Protocol& protocol) {
     const double in_time = 1000.0 * protocol.seconds / std::max(milliseconds, 1e-3);
     const double frames = std::min(in_time, double(protocol.frames)) / batches_of_each;
     return std::max(1, int(std::ceil(frames)));
+}
+
+/// Frames from the view of `options` on, each turned further.
+std::vector<DrawOptions> frames_of(const DrawOptions& options, double turn, int count) {
+    std::vector<DrawOptions> frames(std::size_t(count), options);
+    for (int i = 0; i < count; ++i) frames[std::size_t(i)].view = turned(options.view, i * turn);
+    return frames;
 }
 
 }  // namespace
@@ -29,16 +38,18 @@ double median(std::vector<double> values) {
 std::vector<TechniqueTime> time_interleaved(Renderer& renderer, const Model& model, std::vector<Technique>& techniques,
                                             const DrawOptions& options, const Protocol& protocol,
                                             const std::function<void()>& next_round) {
-    std::vector<int> frames;
+    std::vector<std::vector<DrawOptions>> frames;
+    const std::vector<DrawOptions> first = frames_of(options, protocol.turn, warm_up_frames);
     for (Technique& technique : techniques) {
-        (void)renderer.time_frames(model, technique, options, warm_up_frames);  // compiles and uploads
-        frames.push_back(batch_size(renderer.time_frames(model, technique, options, warm_up_frames), protocol));
+        (void)renderer.time_frames(model, technique, first);  // compiles and uploads
+        const double milliseconds = renderer.time_frames(model, technique, first);
+        frames.push_back(frames_of(options, protocol.turn, batch_size(milliseconds, protocol)));
     }
     std::vector<std::vector<double>> batches(techniques.size());
     for (int round = 0; round < batches_of_each; ++round) {
         next_round();
         for (std::size_t t = 0; t < techniques.size(); ++t) {
-            batches[t].push_back(renderer.time_frames(model, techniques[t], options, frames[t]));
+            batches[t].push_back(renderer.time_frames(model, techniques[t], frames[t]));
         }
     }
     std::vector<TechniqueTime> times;
@@ -47,7 +58,7 @@ std::vector<TechniqueTime> time_interleaved(Renderer& renderer, const Model& mod
         time.technique = techniques[t].name();
         time.milliseconds = median(batches[t]);
         time.ratio = time.milliseconds / times.front().milliseconds;
-        time.frames = frames[t] * batches_of_each;
+        time.frames = int(frames[t].size()) * batches_of_each;
     }
     return times;
 }

@@ -56,4 +56,14 @@ View view_with_coverage(Renderer& renderer, const Model& model, const Protocol& 
     return seen_from(centre, protocol.direction, distance);
 }
 
+View turned(const View& view, double degrees) {
+    constexpr double radians_per_degree = 3.14159265358979323846 / 180.0;
+    const Vector3 target = view.target.value(), eye = view.eye.value();
+    const double x = eye[0] - target[0], z = eye[2] - target[2];
+    const double cosine = std::cos(degrees * radians_per_degree), sine = std::sin(degrees * radians_per_degree);
+    View result = view;
+    result.eye = Vector3{target[0] + cosine * x + sine * z, eye[1], target[2] - sine * x + cosine * z};
+    return result;
+}
+
 }  // namespace croquis::bench

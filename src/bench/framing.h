@@ -12,4 +12,7 @@ namespace croquis::bench {
 /// the model's box allows where it never covers so much. The eye stands at a point, so that levels of detail share it.
 [[nodiscard]] View view_with_coverage(Renderer& renderer, const Model& model, const Protocol& protocol);
 
+/// The eye carried around its target about the upright axis. The view has both.
+[[nodiscard]] View turned(const View& view, double degrees);
+
 }  // namespace croquis::bench

@@ -1,27 +1,17 @@
 #include "bench/stability.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <cstdlib>
+
+#include "bench/framing.h"
 
 namespace croquis::bench {
 namespace {
 
 constexpr int steps = 12;  // of a degree each
-constexpr double radians_a_step = 3.14159265358979323846 / 180.0;
 constexpr int sudden = 64;
 constexpr int still = 8;
-
-/// The eye carried around its target about the upright axis.
-View turned(const View& view, int degrees) {
-    const Vector3 target = view.target.value_or(Vector3{}), eye = view.eye.value_or(Vector3{});
-    const double x = eye[0] - target[0], z = eye[2] - target[2];
-    const double cosine = std::cos(degrees * radians_a_step), sine = std::sin(degrees * radians_a_step);
-    View result = view;
-    result.eye = Vector3{target[0] + cosine * x + sine * z, eye[1], target[2] - sine * x + cosine * z};
-    return result;
-}
 
 /// The largest change of the three channels of the pixel whose bytes start at `i`.
 int change_at(const Picture& before, const Picture& after, std::size_t i) {

@@ -99,6 +99,7 @@ Wedges wedges_of(const Model& model) {
 
 /// Three wedges a face, of about so many faces. However far the surface moves for it: who asks for few faces gets them.
 std::vector<std::uint32_t> collapse(const Wedges& wedges, std::size_t triangles) {
+    if (wedges.triangles.empty()) return {};  // all faces are folded to nothing at rest
     std::vector<std::uint32_t> left(wedges.triangles.size());
     const std::size_t count = meshopt_simplify(left.data(), wedges.triangles.data(), wedges.triangles.size(),
                                                &wedges.positions.front().x, wedges.positions.size(), sizeof(glm::vec3),

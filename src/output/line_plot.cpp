@@ -162,6 +162,7 @@ void choose_ink(cairo_t* cairo, std::size_t line) {
 
 void draw_line(cairo_t* cairo, const PlotLine& line, const Axis& x, const Axis& y) {
     cairo_set_line_width(cairo, 2);
+    cairo_new_path(cairo);  // text leaves its end behind
     for (const glm::dvec2& point : line.points) cairo_line_to(cairo, x.place(point.x), y.place(point.y));
     cairo_stroke(cairo);
     for (const glm::dvec2& point : line.points) {

@@ -79,17 +79,27 @@ TEST(Framing, CoversTheAskedShare) {
     }
 }
 
+TEST(Framing, TurnsAboutTheUprightAxis) {
+    View view;
+    view.target = Vector3{1, 2, 3};
+    view.eye = Vector3{1, 7, 13};
+    const Vector3 quarter = turned(view, 90).eye.value();
+    for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_NEAR(quarter[axis], (Vector3{11, 7, 3})[axis], 1e-12);
+    const Vector3 back = turned(turned(view, 77), -77).eye.value();
+    for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_NEAR(back[axis], view.eye.value()[axis], 1e-12);
+}
+
 TEST(FrameTimes, ReadNothingBack) {
     Renderer renderer = Renderer::headless();
     const Model cube = shipped("cube.obj");
     Technique technique = renderer.open_technique("cartoon");
     DrawOptions options;
     options.width = options.height = 64;
-    (void)renderer.time_frames(cube, technique, options, 1);
+    (void)renderer.time_frames(cube, technique, {options});
     const Renderer::Counts before = renderer.counts();
-    (void)renderer.time_frames(cube, technique, options, 1);
+    (void)renderer.time_frames(cube, technique, {options});
     const Renderer::Counts one = renderer.counts();
-    EXPECT_GT(renderer.time_frames(cube, technique, options, 5), 0);
+    EXPECT_GT(renderer.time_frames(cube, technique, std::vector<DrawOptions>(5, options)), 0);
     const Renderer::Counts after = renderer.counts();
     EXPECT_EQ(after.draws - one.draws, 5 * (one.draws - before.draws));
     EXPECT_GT(one.draws, before.draws);
@@ -138,6 +148,22 @@ TEST(Measure, RatiosAreToTheDefaultRendererOfTheLevel) {
     EXPECT_GT(result.stabilities[1].change, 0);
 }
 
+// Lines are found and uploaded anew only when the view changed.
+TEST(Measure, TurnsFromFrameToFrame) {
+    Renderer renderer = Renderer::headless();
+    const Model cube = shipped("cube.obj");
+    const auto uploads = [&](double turn) {
+        Protocol protocol = quick();
+        protocol.techniques = {"lines"};
+        protocol.turn = turn;
+        const long long before = renderer.counts().geometry_uploads;
+        (void)measure(renderer, cube, "cube.obj", protocol, [](const std::string&) {});
+        return renderer.counts().geometry_uploads - before;
+    };
+    const long long still = uploads(0);
+    EXPECT_GE(uploads(1), still + 22);
+}
+
 TEST(Measure, SaysWhatIsWrong) {
     Renderer renderer = Renderer::headless();
     const Model cube = shipped("cube.obj");
@@ -159,8 +185,8 @@ TEST(Measure, SaysWhatIsWrong) {
     protocol.levels = 0;
     EXPECT_EQ(message(protocol), "expected 1 to 20 levels of detail, found 0");
     protocol = quick();
-    protocol.levels = 4;
-    EXPECT_NE(message(protocol).find("borders and seams need"), std::string::npos) << message(protocol);
+    protocol.levels = 5;
+    EXPECT_NE(message(protocol).find("found 1: nothing would be left"), std::string::npos) << message(protocol);
     protocol = quick();
     protocol.seconds = 0;
     EXPECT_EQ(message(protocol), "expected more than 0 seconds to measure, found 0");

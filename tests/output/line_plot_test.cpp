@@ -43,7 +43,9 @@ TEST(LinePlot, LabelsAreApartAndAsNearAsCanBe) {
             const auto from = std::size_t(20 * random.unit(next++)), to = std::size_t(20 * random.unit(next++));
             const double step = 2 * random.unit(next++) - 1;
             for (std::size_t i = std::min(from, to); i <= std::max(from, to); ++i) moved[i] += step;
-            if (are_apart(moved, 14)) EXPECT_GE(cost(moved, wanted), cost(places, wanted) - 1e-6);
+            if (are_apart(moved, 14)) {
+                EXPECT_GE(cost(moved, wanted), cost(places, wanted) - 1e-6);
+            }
         }
     }
     EXPECT_EQ(spread_labels({1, 20, 40}, 10), (std::vector<double>{1, 20, 40}));
@@ -64,7 +66,6 @@ TEST(LinePlot, MakesTheKindOfFileThatIsAsked) {
     EXPECT_EQ(picture.height(), 640);
     EXPECT_EQ(picture.at(0, 0), glm::u8vec4(255));
     EXPECT_EQ(line_plot_bytes(two_lines(), "svg").substr(0, 5), "<?xml");
-    EXPECT_EQ(line_plot_bytes(two_lines(), "svg"), line_plot_bytes(two_lines(), "svg"));
     EXPECT_THROW((void)line_plot_bytes(two_lines(), "gif"), Error);
 }
 

@@ -21,7 +21,7 @@ WRONG = [
     (["--coverage", "0"], "expected the model to cover more than 0 and at most 100 percent, found 0"),
     (["--triangles", "100,x"], '--triangles: expected whole numbers above 0, found "100,x"'),
     (["--triangles", "9999"], "expected a model of at least 9999 triangles, found 5120"),
-    (["--size", "0x5"], "--size: expected WIDTHxHEIGHT, found \"0x5\""),
+    (["--size", "0x5"], '--size: expected a size in pixels as WIDTHxHEIGHT, found "0x5"'),
     (["--view", "0,0,0"], "expected the view to have a direction, found 0,0,0"),
     (["--plot", "plot.gif"], '--plot: expected a file that ends in .svg or .png, found "plot.gif"'),
     (["--json", "missing/out.json"], "missing: no such folder"),
