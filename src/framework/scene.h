@@ -5,10 +5,12 @@
 #include <functional>
 #include <glm/mat4x4.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "framework/resources.h"
+#include "framework/scene_geometry.h"
 #include "gpu/geometry.h"
 #include "gpu/state.h"
 #include "model/camera.h"
@@ -55,6 +57,7 @@ public:
         /// Faces that turn away are then left out where the mesh is closed, for nobody can see them.
         bool eye_is_outside = false;
         const gpu::Texture* texture_for_all = nullptr;  ///< in place of each material's own
+        SurfaceKind kind = SurfaceKind::smooth;         ///< what the program reads at the vertices
     };
 
     /// Draws the surfaces of the selected meshes with the program in use, giving it each one's material. Texture unit 0
@@ -72,13 +75,18 @@ public:
 
 private:
     struct Part {
-        std::unique_ptr<gpu::Geometry> surface;
+        std::array<std::unique_ptr<MeshGeometry>, 3> surfaces;  // by kind; but for smooth ones made when first drawn
         std::shared_ptr<const gpu::Texture> texture;
         gpu::Cull cull = gpu::Cull::none;
         std::array<std::unique_ptr<gpu::Geometry>, 2> edges;  // all and tagged, made when first drawn
+        std::optional<float> texcoord_scale;                  // found when a program first asks
     };
 
-    void upload_positions(const model::Pose* pose);
+    void move_vertices();
+    [[nodiscard]] MeshGeometry& surface(std::size_t mesh, SurfaceKind kind);
+    [[nodiscard]] std::span<const glm::vec3> positions(std::size_t mesh) const;
+    [[nodiscard]] std::span<const glm::vec3> normals(std::size_t mesh) const;
+    [[nodiscard]] float texcoord_scale(std::size_t mesh);
     void find_bounds();
     [[nodiscard]] std::unique_ptr<gpu::Geometry> make_edges(std::size_t mesh, Edges which) const;
 
