@@ -33,12 +33,16 @@ vec3 axis_shares(vec3 normal) {
     return shares / (shares.x + shares.y + shares.z);
 }
 
-// Strokes that lie on the surface, `size` tiles a scene unit times as many as at rest.
+// Strokes that lie on the surface, `finer` times as many as at rest. Seen from outside they run in one direction all
+// around the upright axis.
 float surface_ink(mat2 turn, float finer, vec3 shares, float ink) {
     vec3 place = rest_position * tiles.x * finer;
-    vec2 first = texcoord_scale > 0.0 ? surface_strokes * finer : turn * place.zy;
-    return shares.x * tonal_ink(first, ink) + shares.y * tonal_ink(turn * place.xz, ink) +
-           shares.z * tonal_ink(turn * place.xy, ink);
+    vec3 side = sign(rest_normal);
+    vec2 by_x = turn * vec2(-side.x * place.z, place.y);
+    vec2 by_y = turn * vec2(place.x, -side.y * place.z);
+    vec2 by_z = turn * vec2(side.z * place.x, place.y);
+    vec2 first = texcoord_scale > 0.0 ? surface_strokes * finer : by_x;
+    return shares.x * tonal_ink(first, ink) + shares.y * tonal_ink(by_y, ink) + shares.z * tonal_ink(by_z, ink);
 }
 
 vec4 on_surface() {
