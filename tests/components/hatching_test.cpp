@@ -1,6 +1,7 @@
 // Hatching: the tone that is asked for is the tone that is drawn, on any paper, at any size (rows H3, H4).
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "components/cross.h"
@@ -148,6 +149,29 @@ TEST_F(HatchingTest, StrokesStayOnASurfaceThatMoves) {
             apart = std::max(apart, double(std::abs(after.at(x + 10, y).x - before.at(x, y).x)));
     }
     EXPECT_LE(apart, 4);
+}
+
+// How often a row of the picture's middle goes from light to dark, a pixel.
+double strokes_a_pixel(const image::Image& picture) {
+    int changes = 0;
+    for (int y = 70; y < 130; ++y) {
+        for (int x = 70; x < 130; ++x) changes += picture.at(x, y).x >= 128 && picture.at(x + 1, y).x < 128;
+    }
+    return changes / 3600.0;
+}
+
+TEST_F(HatchingTest, StrokesOnTheSurfaceKeepTheirSizeFromNearAndFar) {
+    std::vector<double> counts;
+    for (double fit = 0.9; fit < 15; fit *= 1.25) {
+        Shot shot = board_in_light(0.7, 200);
+        shot.view.fit = 0.9;
+        shot.view.eye = glm::dvec3(0, 0, 10 / fit);
+        shot.view.projection = model::Projection::perspective;
+        counts.push_back(strokes_a_pixel(Stage(studio(), shot).picture(toned(toned_styles[3], "angle 90 ;"))));
+    }
+    const auto [fewest, most] = std::minmax_element(counts.begin(), counts.end());
+    EXPECT_GT(*fewest, 0.02);
+    EXPECT_LT(*most, 3 * *fewest) << "from a distance of 11 to one of 0.7";
 }
 
 TEST_F(HatchingTest, TransparencyAtVerticesIsThresholdedAndInterpolated) {
