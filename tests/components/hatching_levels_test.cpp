@@ -70,9 +70,11 @@ protected:
                 [&](int x, int y) -> std::optional<glm::vec4> {
                     if (!rays.is_certain(x, y)) return std::nullopt;
                     const auto hit = rays.pixel(x, y);
+                    // Beside an edge, rounding says which triangle it is.
+                    if (hit && std::min({hit->weights.x, hit->weights.y, hit->weights.z}) < 0.02) return std::nullopt;
                     return hit ? truth(rays.triangle(*hit), *hit, light) : glm::vec4(1);
                 },
-                1.5, 0.1);
+                1.5, 0.3);
         }
     }
 };
