@@ -19,10 +19,14 @@ float tone(float cosine, float specular, vec3 surface_color) {
 float ink_share(float tone) { return draw_light ? tone : 1.0 - tone; }
 
 #ifdef VERTEX_STAGE
+invariant gl_Position;  // strokes are drawn where a pass before has filled the depth
+
 vec4 transform_hatched() { return transform_surface(); }
 #endif
 
 #ifdef FRAGMENT_STAGE
+vec4 nothing() { return vec4(0.0); }
+
 uniform vec4 paper;               // what is known to lie under the strokes; alpha 0 where the frame alone knows
 uniform vec3 ink_color;
 uniform float material_ink;

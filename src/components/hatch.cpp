@@ -1,9 +1,9 @@
 // hatch: surfaces as strokes on what the target holds (seed A, 4.6.2; seed B, chapter 4).
 #include <algorithm>
 #include <cmath>
+#include <glm/trigonometric.hpp>
 
 #include "base/error.h"
-#include "components/shader_pair.h"
 #include "framework/component.h"
 #include "framework/render_target.h"
 
@@ -50,65 +50,63 @@ public:
           strokes_(pass.variable<std::string>("strokes")),
           scale_(pass.variable<float>("scale")),
           angle_(pass.variable<float>("angle")),
-          shaders_(pass) {
+          program_(program(pass, pass.variable<std::string>("fragment_program").value())),
+          depth_only_(program(pass, "hatching:nothing")) {
         check_strokes();
     }
 
     void variable_changed(std::string_view name) override {
         if (name == "strokes") check_strokes();
-        shaders_.variable_changed(name);
     }
 
 protected:
     void render(RenderContext& context) override {
         target_.clear(context, clear_color_.value());
         target_.prepare(context).bind();
-        const gpu::Program& program = shaders_.program();
-        program.use();
-        context.apply(program);
+        const bool paper_is_plain = !keep_color_.value() && !(target_.is_frame() && context.background);
+        if (!paper_is_plain) fill_depth(context);
+        program_->use();
+        context.apply(*program_);
         constexpr int first_free_unit = 1;  // the surface's own texture takes unit 0
-        pass_.apply_parameters(program, first_free_unit);
-        place_strokes(context, program);
-        if (paper_is_plain(context)) {
-            draw_on_plain_paper(context, program);
+        pass_.apply_parameters(*program_, first_free_unit);
+        place_strokes(context);
+        if (paper_is_plain) {
+            program_->set("paper", glm::vec4(clear_color_.value(), 1.0f));
+            draw(context, *program_, {.depth_test = gpu::DepthTest::nearer, .write_depth = true});
         } else {
-            draw_on_any_paper(context, program);
+            program_->set("paper", glm::vec4(0.0f));
+            draw(context, *program_,
+                 {.depth_test = gpu::DepthTest::nearer_or_equal, .blend = gpu::Blend::over_premultiplied});
         }
     }
 
 private:
+    static std::shared_ptr<const gpu::Program> program(const Pass& pass, const std::string& fragment) {
+        return pass.resources().program(pass.variable<std::string>("vertex_program").value(), fragment);
+    }
+
     void check_strokes() const {
         if (strokes_.value().empty()) fail("expected an image of strokes, found none");
     }
 
-    [[nodiscard]] bool paper_is_plain(const RenderContext& context) const {
-        return !keep_color_.value() && !(target_.is_frame() && context.background);
+    // Strokes are then drawn on the nearest surfaces alone: ink of hidden ones would stay on the paper. Where the paper
+    // is one known colour it is drawn with the strokes, and this pass is saved.
+    void fill_depth(RenderContext& context) const {
+        depth_only_->use();
+        context.apply(*depth_only_);
+        draw(context, *depth_only_, {.depth_test = gpu::DepthTest::nearer, .write_depth = true, .write_color = false});
     }
 
     // Seed A, listing 9: the image of strokes is turned and repeated in the picture's plane.
-    void place_strokes(const RenderContext& context, const gpu::Program& program) const {
+    void place_strokes(const RenderContext& context) const {
         const gpu::Texture& image = *pass_.texture("strokes");
         const float angle = glm::radians(angle_.value()), c = std::cos(angle), s = std::sin(angle);
         const glm::vec4 turn(c, -s, s, c);
         const glm::vec2 tile = scale_.value() * glm::vec2(image.width(), image.height());
         const float scale = float(context.pixel_scale);
-        program.set("strokes_turn", turn);
-        program.set("strokes_from_pixel", turn / (scale * glm::vec4(tile.x, tile.y, tile.x, tile.y)));
-        program.set("tiles", tiles_for(pixels_per_unit(context) / double(tile.x)));
-    }
-
-    // What lies under the strokes is known: surfaces are drawn once.
-    void draw_on_plain_paper(RenderContext& context, const gpu::Program& program) const {
-        program.set("paper", glm::vec4(clear_color_.value(), 1.0f));
-        draw(context, program, {.depth_test = gpu::DepthTest::nearer, .write_depth = true});
-    }
-
-    // Depth first, and then strokes on the nearest surfaces alone: ink of hidden ones would stay on the paper.
-    void draw_on_any_paper(RenderContext& context, const gpu::Program& program) const {
-        program.set("paper", glm::vec4(0.0f));
-        draw(context, program, {.depth_test = gpu::DepthTest::nearer, .write_depth = true, .write_color = false});
-        draw(context, program,
-             {.depth_test = gpu::DepthTest::nearer_or_equal, .blend = gpu::Blend::over_premultiplied});
+        program_->set("strokes_turn", turn);
+        program_->set("strokes_from_pixel", turn / (scale * glm::vec4(tile.x, tile.y, tile.x, tile.y)));
+        program_->set("tiles", tiles_for(pixels_per_unit(context) / double(tile.x)));
     }
 
     void draw(RenderContext& context, const gpu::Program& program, const gpu::DrawState& state) const {
@@ -125,7 +123,8 @@ private:
     framework::Variable<std::string> strokes_;
     framework::Variable<float> scale_;
     framework::Variable<float> angle_;
-    ShaderPair shaders_;
+    std::shared_ptr<const gpu::Program> program_;
+    std::shared_ptr<const gpu::Program> depth_only_;
 };
 
 }  // namespace
