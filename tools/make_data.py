@@ -13,6 +13,7 @@ import pathlib
 import sys
 import tempfile
 
+import make_hatching
 import make_images
 import make_models
 import make_papers
@@ -21,7 +22,7 @@ import make_toon_maps
 from shared import read_png
 
 DATA = pathlib.Path(__file__).resolve().parent.parent / "data"
-SCRIPTS = (make_toon_maps, make_images, make_papers, make_strokes, make_models)
+SCRIPTS = (make_toon_maps, make_images, make_papers, make_strokes, make_hatching, make_models)
 
 
 def make(out):

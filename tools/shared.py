@@ -44,6 +44,15 @@ def write_png(path, rows):
         scanlines = [bytes(itertools.chain.from_iterable(row)) for row in pixels]
         chunks = []
         colour_type = 2
+    _write_chunks(path, width, height, colour_type, chunks, scanlines)
+
+
+def write_grey_png(path, rows):
+    """Write rows of bytes, black 0 to white 255, top row first."""
+    _write_chunks(path, len(rows[0]), len(rows), 0, [], rows)
+
+
+def _write_chunks(path, width, height, colour_type, chunks, scanlines):
     data = zlib.compress(b"".join(b"\0" + line for line in scanlines), 9)
     header = struct.pack(">IIBBBBB", width, height, 8, colour_type, 0, 0, 0)
     chunks = [(b"IHDR", header), *chunks, (b"IDAT", data), (b"IEND", b"")]
@@ -58,7 +67,7 @@ def write_png(path, rows):
 
 
 def read_png(path):
-    """Read what write_png wrote: rows of (red, green, blue) bytes."""
+    """Read what write_png or write_grey_png wrote: rows of (red, green, blue) bytes."""
     content = pathlib.Path(path).read_bytes()
     chunks, position = {}, 8
     while position < len(content):
@@ -68,13 +77,15 @@ def read_png(path):
         position += 12 + length
     width, height, _, colour_type = struct.unpack_from(">IIBB", chunks[b"IHDR"])
     data = zlib.decompress(chunks[b"IDAT"])
-    channels = 1 if colour_type == 3 else 3
+    channels = 3 if colour_type == 2 else 1
     stride = width * channels + 1
     lines = [data[y * stride + 1 : (y + 1) * stride] for y in range(height)]
     if colour_type == 3:
         table = chunks[b"PLTE"]
         palette = [tuple(table[i : i + 3]) for i in range(0, len(table), 3)]
         return [[palette[number] for number in line] for line in lines]
+    if colour_type == 0:
+        return [[(value,) * 3 for value in line] for line in lines]
     return [list(zip(line[0::3], line[1::3], line[2::3])) for line in lines]
 
 

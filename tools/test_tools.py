@@ -28,6 +28,45 @@ def lightness(pixel):
     return sum(pixel) / 765
 
 
+def stroke_rows(name):
+    """The light of an image of strokes, 0 to 255."""
+    return [[pixel[0] for pixel in row] for row in read_png(TEXTURES / "hatching" / f"{name}.png")]
+
+
+TONAL, VOLUMES = ("pencil", "ink", "brush"), ("pencil_volume", "ink_volume")
+
+
+def stroke_images():
+    """(name, image, x, y, size, ink share) of every single picture of strokes in the textures."""
+    for name in TONAL:
+        image = stroke_rows(name)
+        width = len(image[0])
+        tones = 2 * len(image) // width
+        for tone in range(tones):
+            x, size = 0, width // 2
+            while size:
+                yield name, image, x, tone * width // 2, size, tone / (tones - 1)
+                x, size = x + size, size // 2
+    for name in VOLUMES:
+        image = stroke_rows(name)
+        side = len(image[0])
+        slices = len(image) // side
+        for number in range(slices):
+            yield name, image, 0, number * side, side, number / (slices - 1)
+    for name, ink in (("parallel", 1 / 3), ("crosshatch", 2 / 3)):
+        image = stroke_rows(name)
+        yield name, image, 0, 0, len(image), ink
+
+
+def tone_series():
+    """(name, pictures from white to black) of each tonal image in its two largest sizes, and of each volume."""
+    series = {}
+    for name, image, x, y, size, _ in stroke_images():
+        if size >= 128:
+            series.setdefault((name, size), []).append([row[x : x + size] for row in image[y : y + size]])
+    return [(f"{name} {size}", images) for (name, size), images in series.items() if len(images) > 1]
+
+
 class Pictures(unittest.TestCase):
     def test_png_survives_writing_and_reading(self):
         few = [[(x % 5 / 255, 0, y % 7 / 255) for x in range(80)] for y in range(70)]
@@ -94,6 +133,28 @@ class Pictures(unittest.TestCase):
             self.assertEqual(tones.count(255), 1)
             self.assertLess(tones[-2], 215)
         self.assertEqual({p[0] for p in read_png(TEXTURES / "toon" / "two_tone.png")[0]}, {140, 255})
+
+    def test_strokes_have_the_tones_asked_for(self):
+        """Tone k of n has an ink share of k / (n - 1), at each size of a tonal image and in each slice of a volume."""
+        for name, image, x, y, size, ink in stroke_images():
+            light = sum(sum(row[x : x + size]) for row in image[y : y + size])
+            with self.subTest(name=name, x=x, y=y):
+                self.assertAlmostEqual(light / size**2, 255 * (1 - ink), delta=1)
+
+    def test_strokes_of_a_lighter_tone_are_in_a_darker_one(self):
+        for name, images in tone_series():
+            for number, (lighter, darker) in enumerate(zip(images, images[1:])):
+                with self.subTest(name=name, tone=number):
+                    self.assertFalse(any(d > l for upper, lower in zip(lighter, darker) for l, d in zip(upper, lower)))
+
+    def test_strokes_have_no_seams(self):
+        for name, images in tone_series():
+            for rows in images[1:-1]:
+                for lines in (rows, list(zip(*rows))):
+                    steps = [sum(abs(a - b) for a, b in zip(*pair)) for pair in zip(lines, lines[1:])]
+                    seam = sum(abs(a - b) for a, b in zip(lines[-1], lines[0]))
+                    with self.subTest(name=name):
+                        self.assertLess(seam, max(steps) * 1.05)
 
     def test_checker_is_the_first_image(self):
         self.assertEqual(min(TEXTURES.glob("images/*")).name, "checker.png")

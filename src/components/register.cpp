@@ -17,6 +17,7 @@ framework::ComponentTable core_components() {
         CORE_COMPONENT(copy_to_texture),
         CORE_COMPONENT(edge_detect),
         CORE_COMPONENT(generate_texture),
+        CORE_COMPONENT(hatch),
         CORE_COMPONENT(lines),
         CORE_COMPONENT(outline),
         CORE_COMPONENT(overlay),

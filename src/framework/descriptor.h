@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "framework/texture_form.h"
 #include "framework/value.h"
 
 namespace croquis::framework {
@@ -26,9 +27,10 @@ struct VariableDescriptor {
     bool read_only = false;                       ///< shown, but not changed at run time
     bool internal = false;                        ///< not shown
     std::string help;
-    std::string unit;                  ///< "pixels", "degrees", …; empty for a plain number
-    std::vector<std::string> choices;  ///< the only values a string may take; any where empty
-    TextPosition where;                ///< of its declaration
+    std::string unit;                      ///< "pixels", "degrees", …; empty for a plain number
+    std::vector<std::string> choices;      ///< the only values a string may take; any where empty
+    TextureForm form = TextureForm::flat;  ///< of the image that a texture variable names
+    TextPosition where;                    ///< of its declaration
 };
 
 /// A component's interface. The implementation is that of `core`, the oldest ancestor.

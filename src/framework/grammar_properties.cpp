@@ -75,8 +75,10 @@ std::string choice_error(const VariableDescriptor& variable, const std::string& 
 // ---- Properties -----------------------------------------------------------------------------------------------------
 
 const std::vector<std::string> all_properties = {
-    "default",   "minimum",  "maximum", "ui_minimum", "ui_maximum", "vertex_parameter", "fragment_parameter",
-    "read_only", "internal", "help",    "unit",       "choices"};
+    "default",  "minimum", "maximum", "ui_minimum", "ui_maximum", "vertex_parameter", "fragment_parameter", "read_only",
+    "internal", "help",    "unit",    "choices",    "form"};
+
+const std::vector<std::string> all_forms = {"flat", "volume", "tonal"};
 
 using ValueMember = std::optional<Value> VariableDescriptor::*;
 using FlagMember = bool VariableDescriptor::*;
@@ -119,6 +121,9 @@ public:
         } else if (name == "choices") {
             if (variable_.type != VariableType::string) refuse(setting, "choices");
             variable_.choices = split(text(setting), " ");
+        } else if (name == "form") {
+            if (variable_.type != VariableType::texture) refuse(setting, "form");
+            variable_.form = form(setting);
         } else {
             fail_at(position(file_, setting.name.where), "variable \"{}\" has no property \"{}\"{}", variable_.name,
                     name, suggestion(name, all_properties));
@@ -132,6 +137,14 @@ private:
 
     [[nodiscard]] std::string text(const Setting& setting) const {
         return std::get<std::string>(typed_value(setting, VariableType::string, file_, owner(setting.name.text)));
+    }
+
+    [[nodiscard]] TextureForm form(const Setting& setting) const {
+        const std::string name = text(setting);
+        if (const auto form = texture_form_named(name)) return *form;
+        fail_at(position(file_, setting.value.front().where),
+                "form of variable \"{}\" expects one of \"flat\", \"volume\", \"tonal\"; found \"{}\"{}",
+                variable_.name, name, suggestion(name, all_forms));
     }
 
     [[noreturn]] void refuse(const Setting& setting, std::string_view what) const {

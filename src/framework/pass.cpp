@@ -40,23 +40,25 @@ void Pass::set(std::string_view name, const Value& value) {
     }
     Value clamped = clamp_to_range(variable, value, fmt::format("{}.{}", this->name(), name));
     if (variable.type == VariableType::texture) {
-        textures_[variable.name] = find_texture(std::get<std::string>(clamped));
+        textures_[variable.name] = find_texture(std::get<std::string>(clamped), variable.form);
     }
     definition_.values.find(name)->second = std::move(clamped);
     ++revision_;
 }
 
-std::shared_ptr<const gpu::Texture> Pass::find_texture(const std::string& name) const {
+std::shared_ptr<const gpu::Texture> Pass::find_texture(const std::string& name, TextureForm form) const {
     if (name.empty()) return nullptr;
     const TextureName parsed = TextureName::parse(name);
-    return parsed.is_generated ? generated_->at(parsed.image) : resources_->image(parsed);
+    if (!parsed.is_generated) return resources_->image(parsed, form);
+    if (form != TextureForm::flat) fail("expected an image with several tones or slices, found \"{}\"", name);
+    return generated_->at(parsed.image);
 }
 
 void Pass::find_textures() {
     for (const VariableDescriptor& variable : component().variables) {
         if (variable.type != VariableType::texture) continue;
         try {
-            textures_[variable.name] = find_texture(std::get<std::string>(value(variable.name)));
+            textures_[variable.name] = find_texture(std::get<std::string>(value(variable.name)), variable.form);
         } catch (const Error& error) {
             fail_at(where(), "pass \"{}\", variable \"{}\": {}", name(), variable.name, error.what());
         }

@@ -77,7 +77,7 @@ public:
 
 private:
     [[noreturn]] void refuse_type(std::string_view name) const;
-    [[nodiscard]] std::shared_ptr<const gpu::Texture> find_texture(const std::string& name) const;
+    [[nodiscard]] std::shared_ptr<const gpu::Texture> find_texture(const std::string& name, TextureForm form) const;
 
     PassDefinition definition_;
     Resources* resources_;

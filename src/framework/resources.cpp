@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/names.h"
+#include "framework/sliced_image.h"
 
 namespace croquis::framework {
 namespace {
@@ -42,6 +43,20 @@ std::vector<std::string> image_directories(const DataFolders& folders) {
         }
     }
     return names;
+}
+
+std::shared_ptr<const gpu::Texture> upload(gpu::Context& context, const image::Image& pixels, const std::string& name,
+                                           TextureForm form, gpu::Filter filter) {
+    switch (form) {
+        case TextureForm::volume:
+            return std::make_shared<const gpu::Texture>(context, cut_volume(pixels, name), filter);
+        case TextureForm::tonal:
+            return std::make_shared<const gpu::Texture>(context, cut_tonal(pixels, name), filter);
+        case TextureForm::flat:
+            break;
+    }
+    return std::make_shared<const gpu::Texture>(context, &pixels.pixels().front().x, pixels.width(), pixels.height(),
+                                                filter, gpu::Wrap::repeat);
 }
 
 }  // namespace
@@ -81,14 +96,12 @@ fs::path Resources::find_image(const TextureName& name) const {
     fail("no image \"{}\" in texture directory \"{}\"{}", image, name.directory, suggestion(image, names));
 }
 
-std::shared_ptr<const gpu::Texture> Resources::image(const TextureName& name) {
+std::shared_ptr<const gpu::Texture> Resources::image(const TextureName& name, TextureForm form) {
     const fs::path path = find_image(name);
-    std::weak_ptr<const gpu::Texture>& known = images_[{path.string(), name.is_filtered}];
+    std::weak_ptr<const gpu::Texture>& known = images_[{path.string(), form, name.is_filtered}];
     if (auto texture = known.lock()) return texture;
-    const image::Image pixels = image::read(path);
-    const auto texture = std::make_shared<const gpu::Texture>(
-        *context_, &pixels.pixels().front().x, pixels.width(), pixels.height(),
-        name.is_filtered ? gpu::Filter::trilinear : gpu::Filter::nearest, gpu::Wrap::repeat);
+    const auto texture = upload(*context_, image::read(path), path.string(), form,
+                                name.is_filtered ? gpu::Filter::trilinear : gpu::Filter::nearest);
     known = texture;
     return texture;
 }

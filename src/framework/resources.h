@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "framework/data_folders.h"
+#include "framework/texture_form.h"
 #include "framework/texture_name.h"
 #include "gpu/geometry.h"
 #include "gpu/program.h"
@@ -27,8 +28,10 @@ public:
     [[nodiscard]] std::shared_ptr<const gpu::Program> program(const std::string& vertex, const std::string& fragment,
                                                               gpu::Output output = gpu::Output::one);
 
-    /// An image of data/textures. Throws Error with the nearest directory or image.
-    [[nodiscard]] std::shared_ptr<const gpu::Texture> image(const TextureName& name);
+    /// An image of data/textures. Throws Error with the nearest directory or image, or saying why the image does not
+    /// have the form.
+    [[nodiscard]] std::shared_ptr<const gpu::Texture> image(const TextureName& name,
+                                                            TextureForm form = TextureForm::flat);
 
     /// A material's image.
     [[nodiscard]] std::shared_ptr<const gpu::Texture> image(const std::shared_ptr<const image::Image>& pixels);
@@ -47,7 +50,8 @@ private:
     gpu::FullScreenTriangle triangle_;
     gpu::Texture white_;
     std::map<std::tuple<std::string, std::string, gpu::Output>, std::weak_ptr<const gpu::Program>> programs_;
-    std::map<std::pair<std::string, bool>, std::weak_ptr<const gpu::Texture>> images_;  // by path and filter
+    // By path, form and filter.
+    std::map<std::tuple<std::string, TextureForm, bool>, std::weak_ptr<const gpu::Texture>> images_;
     struct MaterialImage {
         std::weak_ptr<const image::Image> pixels;  // an address may be used again: the image must be the same
         std::weak_ptr<const gpu::Texture> texture;

@@ -6,45 +6,16 @@
 
 #include "base/names.h"
 #include "model/posed_shape.h"
+#include "model/texcoord_scale.h"
 
 namespace croquis::framework {
 namespace {
 
-// Locations of the attributes, as data/shaders/scene.glsl and wireframe.glsl declare them.
-constexpr unsigned position_location = 0, normal_location = 1, texcoord_location = 2, color_location = 3;
+// Locations of the attributes, as data/shaders/wireframe.glsl declares them.
 constexpr unsigned edge_start_location = 0, edge_end_location = 1, edge_normal_a_location = 2,
                    edge_normal_b_location = 3;
 
 constexpr int surface_texture_unit = 0;
-
-struct PositionAndNormal {
-    glm::vec3 position;
-    glm::vec3 normal;
-};
-
-std::vector<PositionAndNormal> interleave(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals) {
-    std::vector<PositionAndNormal> vertices(positions.size());
-    for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i] = {positions[i], normals[i]};
-    return vertices;
-}
-
-std::unique_ptr<gpu::Geometry> upload(gpu::Context& context, const model::Mesh& mesh) {
-    const std::vector<PositionAndNormal> vertices = interleave(mesh.positions, mesh.normals);
-    using Kind = gpu::Attribute::Kind;
-    std::vector<gpu::VertexBuffer> buffers;
-    buffers.push_back(
-        {std::as_bytes(std::span(vertices)),
-         sizeof(PositionAndNormal),
-         {{position_location, 3, Kind::floats, 0}, {normal_location, 3, Kind::floats, sizeof(glm::vec3)}}});
-    if (!mesh.texcoords.empty()) {
-        buffers.push_back({std::as_bytes(std::span(mesh.texcoords)), sizeof(glm::vec2), {{texcoord_location, 2}}});
-    }
-    if (!mesh.colors.empty()) {
-        buffers.push_back(
-            {std::as_bytes(std::span(mesh.colors)), sizeof(glm::u8vec4), {{color_location, 4, Kind::bytes_to_unit}}});
-    }
-    return std::make_unique<gpu::Geometry>(context, buffers, mesh.triangles);
-}
 
 glm::mat4 scene_from(const model::Model& model) {
     const model::SceneSpace space = model::SceneSpace::of(model);
@@ -91,8 +62,8 @@ Scene::Scene(Resources& resources, std::shared_ptr<const model::Model> model)
     for (std::size_t i = 0; i < model_->meshes.size(); ++i) {
         const model::Mesh& mesh = model_->meshes[i];
         const auto& image = model_->materials[mesh.material].texture;
-        parts_.push_back(
-            {upload(resources.gpu(), mesh), image ? resources.image(image) : nullptr, cull_of(topology, i), {}});
+        parts_.push_back({{}, image ? resources.image(image) : nullptr, cull_of(topology, i), {}, {}, {}});
+        (void)surface(i, SurfaceKind::smooth);
     }
     find_bounds();
 }
@@ -101,7 +72,7 @@ void Scene::find_bounds() {
     model::Bounds box;
     for (std::size_t i = 0; i < parts_.size(); ++i) {
         model::Bounds own;
-        for (const glm::vec3& position : pose_ ? (*pose_)[i].positions : model_->meshes[i].positions) own.add(position);
+        for (const glm::vec3& position : positions(i)) own.add(position);
         parts_[i].middle = own.centre();
         box.add(own.low);
         box.add(own.high);
@@ -112,21 +83,20 @@ void Scene::find_bounds() {
 
 void Scene::set_pose(model::Pose pose) {
     pose_ = std::make_shared<const model::Pose>(std::move(pose));
-    upload_positions(pose_.get());
+    move_vertices();
 }
 
 void Scene::clear_pose() {
     if (!pose_) return;
     pose_.reset();
-    upload_positions(nullptr);
+    move_vertices();
 }
 
-void Scene::upload_positions(const model::Pose* pose) {
+void Scene::move_vertices() {
     for (std::size_t i = 0; i < parts_.size(); ++i) {
-        const model::Mesh& mesh = model_->meshes[i];
-        const auto vertices =
-            pose ? interleave((*pose)[i].positions, (*pose)[i].normals) : interleave(mesh.positions, mesh.normals);
-        parts_[i].surface->update(0, std::as_bytes(std::span(vertices)));
+        for (const auto& surface : parts_[i].surfaces) {
+            if (surface) surface->move(positions(i), normals(i));
+        }
         parts_[i].edges = {};
     }
     find_bounds();
@@ -136,6 +106,30 @@ glm::mat4 Scene::scaled(const Part& part, float scale) const {
     glm::mat4 about_middle = glm::translate(glm::mat4(1.0f), part.middle);
     about_middle = glm::scale(about_middle, glm::vec3(scale));
     return scene_from_model_ * glm::translate(about_middle, -part.middle);
+}
+
+std::span<const glm::vec3> Scene::positions(std::size_t mesh) const {
+    return pose_ ? (*pose_)[mesh].positions : model_->meshes[mesh].positions;
+}
+
+std::span<const glm::vec3> Scene::normals(std::size_t mesh) const {
+    return pose_ ? (*pose_)[mesh].normals : model_->meshes[mesh].normals;
+}
+
+MeshGeometry& Scene::surface(std::size_t mesh, SurfaceKind kind) {
+    std::unique_ptr<MeshGeometry>& surface = parts_[mesh].surfaces[std::size_t(kind)];
+    if (!surface) {
+        surface = std::make_unique<MeshGeometry>(resources_->gpu(), model_->meshes[mesh], kind, positions(mesh),
+                                                 normals(mesh));
+    }
+    return *surface;
+}
+
+// In images a scene unit.
+float Scene::texcoord_scale(std::size_t mesh) {
+    std::optional<float>& scale = parts_[mesh].texcoord_scale;
+    if (!scale) scale = float(model::texcoord_scale(model_->meshes[mesh])) / scene_from_model_[0][0];
+    return *scale;
 }
 
 void Scene::draw_surfaces(const ObjectSelection& selection, const gpu::Program& program, gpu::DrawState state,
@@ -156,7 +150,8 @@ void Scene::draw_surfaces(const ObjectSelection& selection, const gpu::Program& 
         const gpu::Texture* own = parts_[i].texture ? parts_[i].texture.get() : &resources_->white();
         (options.texture_for_all ? options.texture_for_all : own)->bind(surface_texture_unit);
         program.set("surface_sampler", surface_texture_unit);
-        parts_[i].surface->draw();
+        if (program.uses("texcoord_scale")) program.set("texcoord_scale", texcoord_scale(i));
+        surface(i, options.kind).draw();
     }
 }
 

@@ -5,10 +5,12 @@
 #include <functional>
 #include <glm/mat4x4.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "framework/resources.h"
+#include "framework/scene_geometry.h"
 #include "gpu/geometry.h"
 #include "gpu/state.h"
 #include "model/camera.h"
@@ -56,6 +58,7 @@ public:
         bool eye_is_outside = false;
         const gpu::Texture* texture_for_all = nullptr;  ///< in place of each material's own
         float scale = 1;                                ///< of each mesh, about the middle of its box
+        SurfaceKind kind = SurfaceKind::smooth;         ///< what the program reads at the vertices
     };
 
     /// Draws the surfaces of the selected meshes with the program in use, giving it each one's material. Texture unit 0
@@ -73,14 +76,19 @@ public:
 
 private:
     struct Part {
-        std::unique_ptr<gpu::Geometry> surface;
+        std::array<std::unique_ptr<MeshGeometry>, 3> surfaces;  // by kind; but for smooth ones made when first drawn
         std::shared_ptr<const gpu::Texture> texture;
         gpu::Cull cull = gpu::Cull::none;
         glm::vec3 middle{0.0f};                               // of its box, as the vertices stand now
         std::array<std::unique_ptr<gpu::Geometry>, 2> edges;  // all and tagged, made when first drawn
+        std::optional<float> texcoord_scale;                  // found when a program first asks
     };
 
-    void upload_positions(const model::Pose* pose);
+    void move_vertices();
+    [[nodiscard]] MeshGeometry& surface(std::size_t mesh, SurfaceKind kind);
+    [[nodiscard]] std::span<const glm::vec3> positions(std::size_t mesh) const;
+    [[nodiscard]] std::span<const glm::vec3> normals(std::size_t mesh) const;
+    [[nodiscard]] float texcoord_scale(std::size_t mesh);
     void find_bounds();
     [[nodiscard]] glm::mat4 scaled(const Part& part, float scale) const;
     [[nodiscard]] std::unique_ptr<gpu::Geometry> make_edges(std::size_t mesh, Edges which) const;

@@ -17,7 +17,8 @@ std::string header_for(Api api, Stage stage, Output output) {
     std::string header = api == Api::gl ? "#version 330 core\n" : "#version 300 es\n";
     if (api == Api::gles) {
         header +=
-            "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\nprecision highp usampler2D;\n";
+            "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\nprecision highp usampler2D;\n"
+            "precision highp sampler3D;\nprecision highp sampler2DArray;\n";
     }
     if (stage == Stage::vertex) return header + "#define VERTEX_STAGE\n#define between out\n";
     header += "#define FRAGMENT_STAGE\n#define between in\n";

@@ -173,20 +173,30 @@ struct SavedFaces {
 };
 
 struct SavedTextures {
+    struct Target {
+        GLenum target;
+        GLenum binding;
+    };
+    static constexpr std::array<Target, 3> targets{{{GL_TEXTURE_2D, GL_TEXTURE_BINDING_2D},
+                                                    {GL_TEXTURE_3D, GL_TEXTURE_BINDING_3D},
+                                                    {GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BINDING_2D_ARRAY}}};
+    static constexpr std::size_t units = 8;  // those that passes may use
     GLenum active = word(GL_ACTIVE_TEXTURE);
-    std::array<GLuint, 8> bound{};  // of the units that passes may use
+    std::array<std::array<GLuint, targets.size()>, units> bound{};
 
     SavedTextures() {
-        for (std::size_t unit = 0; unit < bound.size(); ++unit) {
-            glActiveTexture(GLenum(GL_TEXTURE0 + unit));
-            bound[unit] = word(GL_TEXTURE_BINDING_2D);
-        }
-        glActiveTexture(active);
+        for_each([](const Target& target, GLuint& texture) { texture = word(target.binding); });
     }
     ~SavedTextures() {
-        for (std::size_t unit = 0; unit < bound.size(); ++unit) {
+        for_each([](const Target& target, GLuint& texture) { glBindTexture(target.target, texture); });
+    }
+
+private:
+    template <typename Visit>
+    void for_each(const Visit& visit) {
+        for (std::size_t unit = 0; unit < units; ++unit) {
             glActiveTexture(GLenum(GL_TEXTURE0 + unit));
-            glBindTexture(GL_TEXTURE_2D, bound[unit]);
+            for (std::size_t i = 0; i < targets.size(); ++i) visit(targets[i], bound[unit][i]);
         }
         glActiveTexture(active);
     }

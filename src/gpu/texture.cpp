@@ -27,11 +27,24 @@ GlFormat gl_format(TextureFormat format) {
     return {};
 }
 
-void set_sampling(GLint minify, GLint magnify, GLint wrap) {
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, minify);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, magnify);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);
+GLenum target_of(TextureShape shape) {
+    switch (shape) {
+        case TextureShape::flat:
+            return GL_TEXTURE_2D;
+        case TextureShape::volume:
+            return GL_TEXTURE_3D;
+        case TextureShape::layers:
+            return GL_TEXTURE_2D_ARRAY;
+    }
+    return GL_TEXTURE_2D;
+}
+
+// Of the texture that is bound to the target.
+void set_sampling(GLenum target, GLint minify, GLint magnify, GLint wrap) {
+    glTexParameteri(target, GL_TEXTURE_MIN_FILTER, minify);
+    glTexParameteri(target, GL_TEXTURE_MAG_FILTER, magnify);
+    glTexParameteri(target, GL_TEXTURE_WRAP_S, wrap);
+    glTexParameteri(target, GL_TEXTURE_WRAP_T, wrap);
 }
 
 std::string bottom_row_first(const std::uint8_t* pixels, int width, int height) {
@@ -43,32 +56,75 @@ std::string bottom_row_first(const std::uint8_t* pixels, int width, int height) 
     return flipped;
 }
 
+// The same of each slice.
+std::string bottom_row_first(const Slices& slices) {
+    const std::size_t bytes = std::size_t(slices.width) * std::size_t(slices.height) * 4;
+    assert(slices.pixels.size() == bytes * std::size_t(slices.count));
+    std::string flipped;
+    flipped.reserve(slices.pixels.size());
+    for (std::size_t i = 0; i < slices.pixels.size(); i += bytes) {
+        flipped += bottom_row_first(slices.pixels.data() + i, slices.width, slices.height);
+    }
+    return flipped;
+}
+
+void upload(GLenum target, int level, const Slices& slices) {
+    const std::string rows = bottom_row_first(slices);
+    glTexImage3D(target, level, GL_RGBA8, slices.width, slices.height, slices.count, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                 rows.data());
+}
+
 }  // namespace
 
 Texture::Texture(Context& context, TextureFormat format, int width, int height)
     : context_(&context), format_(format), width_(width), height_(height) {
-    glGenTextures(1, &id_);
-    ++context_->counters().live_textures;
-    glBindTexture(GL_TEXTURE_2D, id_);
-    set_sampling(GL_NEAREST, GL_NEAREST, GL_CLAMP_TO_EDGE);
+    create();
+    set_sampling(GL_TEXTURE_2D, GL_NEAREST, GL_NEAREST, GL_CLAMP_TO_EDGE);
     allocate();
 }
 
 Texture::Texture(Context& context, const std::uint8_t* pixels, int width, int height, Filter filter, Wrap wrap)
     : context_(&context), format_(TextureFormat::rgba8), width_(width), height_(height) {
-    glGenTextures(1, &id_);
-    ++context_->counters().live_textures;
+    create();
     ++context_->counters().texture_uploads;
-    glBindTexture(GL_TEXTURE_2D, id_);
     const GLint gl_wrap = wrap == Wrap::repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
     const std::string rows = bottom_row_first(pixels, width, height);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, rows.data());
     if (filter == Filter::trilinear) {
-        set_sampling(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, gl_wrap);
+        set_sampling(GL_TEXTURE_2D, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, gl_wrap);
         glGenerateMipmap(GL_TEXTURE_2D);
     } else {
-        set_sampling(GL_NEAREST, GL_NEAREST, gl_wrap);
+        set_sampling(GL_TEXTURE_2D, GL_NEAREST, GL_NEAREST, gl_wrap);
     }
+}
+
+Texture::Texture(Context& context, const Slices& volume, Filter filter)
+    : context_(&context),
+      shape_(TextureShape::volume),
+      format_(TextureFormat::rgba8),
+      width_(volume.width),
+      height_(volume.height) {
+    create();
+    ++context_->counters().texture_uploads;
+    upload(GL_TEXTURE_3D, 0, volume);
+    const GLint within_level = filter == Filter::trilinear ? GL_LINEAR : GL_NEAREST;
+    set_sampling(GL_TEXTURE_3D, within_level, within_level, GL_REPEAT);
+    glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_WRAP_R, GL_CLAMP_TO_EDGE);
+}
+
+Texture::Texture(Context& context, std::span<const Slices> levels, Filter filter)
+    : context_(&context),
+      shape_(TextureShape::layers),
+      format_(TextureFormat::rgba8),
+      width_(levels.front().width),
+      height_(levels.front().height) {
+    create();
+    ++context_->counters().texture_uploads;
+    for (std::size_t level = 0; level < levels.size(); ++level) upload(GL_TEXTURE_2D_ARRAY, int(level), levels[level]);
+    const bool is_smooth = filter == Filter::trilinear;
+    set_sampling(GL_TEXTURE_2D_ARRAY, is_smooth ? GL_LINEAR_MIPMAP_LINEAR : GL_NEAREST,
+                 is_smooth ? GL_LINEAR : GL_NEAREST, GL_REPEAT);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, GLint(levels.size()) - 1);
 }
 
 Texture::~Texture() {
@@ -84,15 +140,22 @@ void Texture::resize(int width, int height) {
     allocate();
 }
 
+// Makes the object and leaves it bound.
+void Texture::create() {
+    glGenTextures(1, &id_);
+    ++context_->counters().live_textures;
+    glBindTexture(target_of(shape_), id_);
+}
+
 void Texture::allocate() {
-    assert(width_ > 0 && height_ > 0);
+    assert(shape_ == TextureShape::flat && width_ > 0 && height_ > 0);
     const GlFormat gl = gl_format(format_);
     glTexImage2D(GL_TEXTURE_2D, 0, gl.internal, width_, height_, 0, gl.format, gl.type, nullptr);
 }
 
 void Texture::bind(int unit) const {
     glActiveTexture(GLenum(GL_TEXTURE0 + unit));
-    glBindTexture(GL_TEXTURE_2D, id_);
+    glBindTexture(target_of(shape_), id_);
     glActiveTexture(GL_TEXTURE0);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "gpu/context.h"
@@ -17,12 +18,27 @@ enum class TextureFormat {
 enum class Filter { nearest, trilinear };
 enum class Wrap { repeat, clamp };
 
-/// A two-dimensional texture. A one-dimensional map is N x 1.
+/// How a shader addresses a texture: by two coordinates (sampler2D; a one-dimensional map is N x 1), by three
+/// (sampler3D), or by two and the number of a layer (sampler2DArray).
+enum class TextureShape { flat, volume, layers };
+
+/// Slices of one size behind each other, each of 8-bit RGBA pixels whose rows run top to bottom.
+struct Slices {
+    std::vector<std::uint8_t> pixels;
+    int width = 0;
+    int height = 0;
+    int count = 0;
+};
+
 class Texture {
 public:
     Texture(Context& context, TextureFormat format, int width, int height);
     /// From 8-bit RGBA pixels whose rows run top to bottom.
     Texture(Context& context, const std::uint8_t* pixels, int width, int height, Filter filter, Wrap wrap);
+    /// A volume: repeated across, held at its first and last slice in depth. It has one mip level.
+    Texture(Context& context, const Slices& volume, Filter filter);
+    /// Layers whose mip levels are given, each half the size of the one before, down to one pixel; repeated.
+    Texture(Context& context, std::span<const Slices> levels, Filter filter);
     ~Texture();
     Texture(const Texture&) = delete;
     Texture& operator=(const Texture&) = delete;
@@ -30,6 +46,7 @@ public:
     [[nodiscard]] int width() const { return width_; }
     [[nodiscard]] int height() const { return height_; }
     [[nodiscard]] TextureFormat format() const { return format_; }
+    [[nodiscard]] TextureShape shape() const { return shape_; }
     [[nodiscard]] unsigned id() const { return id_; }
 
     /// Takes another size; the content is lost. Nothing happens when the size is the same.
@@ -38,9 +55,11 @@ public:
     void bind(int unit) const;
 
 private:
+    void create();
     void allocate();
 
     Context* context_;
+    TextureShape shape_ = TextureShape::flat;
     TextureFormat format_;
     int width_;
     int height_;

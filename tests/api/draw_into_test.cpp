@@ -139,6 +139,8 @@ std::map<std::string, std::vector<int>> state() {
         glGetIntegerv(GL_ACTIVE_TEXTURE, &before);
         glActiveTexture(GLenum(GL_TEXTURE0 + unit));
         integers(unit == 0 ? "texture 0" : unit == 1 ? "texture 1" : "texture 2", GL_TEXTURE_BINDING_2D, 1);
+        integers(unit == 0 ? "volume 0" : unit == 1 ? "volume 1" : "volume 2", GL_TEXTURE_BINDING_3D, 1);
+        integers(unit == 0 ? "layers 0" : unit == 1 ? "layers 1" : "layers 2", GL_TEXTURE_BINDING_2D_ARRAY, 1);
         glActiveTexture(GLenum(before));
     }
     float offsets[2] = {};
@@ -151,11 +153,14 @@ std::map<std::string, std::vector<int>> state() {
 TEST_F(DrawInto, PutsTheCallersStateBack) {
     Renderer renderer = Renderer::in_current_context();
     const Model model = cube_file();
-    unsigned buffer = 0, array = 0, textures[3] = {};
+    unsigned buffer = 0, array = 0, textures[3] = {}, volumes[3] = {}, layers[3] = {};
     glGenBuffers(1, &buffer);
     glGenVertexArrays(1, &array);
     glGenTextures(3, textures);
-    for (const char* name : {"phong", "cartoon_per_vertex", "wireframe", "edges", "outline_lines"}) {
+    glGenTextures(3, volumes);
+    glGenTextures(3, layers);
+    for (const char* name :
+         {"phong", "cartoon_per_vertex", "wireframe", "edges", "outline_lines", "hatching_simple", "hatching_3d"}) {
         Technique technique = renderer.open_technique(name);
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
         glBindVertexArray(array);
@@ -163,6 +168,8 @@ TEST_F(DrawInto, PutsTheCallersStateBack) {
         for (unsigned unit = 0; unit < 3; ++unit) {
             glActiveTexture(GL_TEXTURE0 + unit);
             glBindTexture(GL_TEXTURE_2D, textures[unit]);
+            glBindTexture(GL_TEXTURE_3D, volumes[unit]);
+            glBindTexture(GL_TEXTURE_2D_ARRAY, layers[unit]);
         }
         glActiveTexture(GL_TEXTURE2);
         glUseProgram(0);

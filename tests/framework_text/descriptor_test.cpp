@@ -14,6 +14,7 @@ component c {
   number width { help "How \"wide\"." ; unit "pixels" ; default 2 ; minimum 0 ; maximum 10 ; ui_minimum 1 ;
                  ui_maximum 5 ; vertex_parameter true ; fragment_parameter 1 ; read_only 0 ; internal false ; }
   string mode { choices "soft  hard" ; default "hard" ; }
+  texture map { form "volume" ; }
 })");
     const ComponentDescriptor& component = descriptors.at("c");
     EXPECT_EQ(component.help, "Draws things.");
@@ -31,6 +32,7 @@ component c {
     EXPECT_FALSE(width.internal);
     EXPECT_EQ(width.where.to_string(), "file:5:10");
     EXPECT_EQ(component.find("mode")->choices, (std::vector<std::string>{"soft", "hard"}));
+    EXPECT_EQ(component.find("map")->form, TextureForm::volume);
     EXPECT_EQ(component.find("nothing"), nullptr);
 }
 
