@@ -16,12 +16,13 @@ import tempfile
 import make_images
 import make_models
 import make_papers
+import make_shade_maps
 import make_strokes
 import make_toon_maps
 from shared import read_png
 
 DATA = pathlib.Path(__file__).resolve().parent.parent / "data"
-SCRIPTS = (make_toon_maps, make_images, make_papers, make_strokes, make_models)
+SCRIPTS = (make_toon_maps, make_shade_maps, make_images, make_papers, make_strokes, make_models)
 
 
 def make(out):

@@ -5,6 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "base/names.h"
+#include "image/palette.h"
 #include "model/posed_shape.h"
 
 namespace croquis::framework {
@@ -137,7 +138,7 @@ void Scene::draw_surfaces(const ObjectSelection& selection, const gpu::Program& 
         const model::Mesh& mesh = model_->meshes[i];
         if (!selection.includes(*model_, mesh)) continue;
         const model::Material& material = model_->materials[mesh.material];
-        state.cull = options.eye_is_outside ? parts_[i].cull : gpu::Cull::none;
+        state.cull = options.eye_is_outside && options.triangles == nullptr ? parts_[i].cull : gpu::Cull::none;
         gpu::apply(state);
         program.set("material_ambient", material.ambient);
         program.set("material_diffuse", material.diffuse);
@@ -145,11 +146,29 @@ void Scene::draw_surfaces(const ObjectSelection& selection, const gpu::Program& 
         program.set("material_shininess", material.shininess);
         program.set("region", mesh.region);
         program.set("vertex_color_share", mesh.colors.empty() ? 0.0f : 1.0f);
-        const gpu::Texture* own = parts_[i].texture ? parts_[i].texture.get() : &resources_->white();
-        (options.texture_for_all ? options.texture_for_all : own)->bind(surface_texture_unit);
+        surface_texture(i, options).bind(surface_texture_unit);
         program.set("surface_sampler", surface_texture_unit);
-        parts_[i].surface->draw();
+        if (options.triangles != nullptr) {
+            parts_[i].surface->draw((*options.triangles)[i]);
+        } else {
+            parts_[i].surface->draw();
+        }
     }
+}
+
+const gpu::Texture& Scene::surface_texture(std::size_t mesh, const SurfaceOptions& options) {
+    if (options.texture_for_all != nullptr) return *options.texture_for_all;
+    if (!parts_[mesh].texture) return resources_->white();
+    if (options.texture_colors == 0) return *parts_[mesh].texture;
+    return reduced_texture(model_->materials[model_->meshes[mesh].material].texture, options.texture_colors);
+}
+
+const gpu::Texture& Scene::reduced_texture(const std::shared_ptr<const image::Image>& image, int colors) {
+    std::shared_ptr<const gpu::Texture>& reduced = reduced_textures_[{image.get(), colors}];
+    if (!reduced) {
+        reduced = resources_->image(std::make_shared<const image::Image>(image::with_fewer_colors(*image, colors)));
+    }
+    return *reduced;
 }
 
 void Scene::draw_edges(const ObjectSelection& selection, Edges which) {

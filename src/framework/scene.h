@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <glm/mat4x4.hpp>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -55,6 +56,9 @@ public:
         /// Faces that turn away are then left out where the mesh is closed, for nobody can see them.
         bool eye_is_outside = false;
         const gpu::Texture* texture_for_all = nullptr;  ///< in place of each material's own
+        int texture_colors = 0;  ///< each material's own texture brought to so many colours; 0: as it is
+        /// One list a mesh of the triangles to draw in place of all, front and back, uploaded with each draw.
+        const std::vector<std::vector<std::uint32_t>>* triangles = nullptr;
     };
 
     /// Draws the surfaces of the selected meshes with the program in use, giving it each one's material. Texture unit 0
@@ -80,6 +84,8 @@ private:
 
     void upload_positions(const model::Pose* pose);
     void find_bounds();
+    [[nodiscard]] const gpu::Texture& surface_texture(std::size_t mesh, const SurfaceOptions& options);
+    [[nodiscard]] const gpu::Texture& reduced_texture(const std::shared_ptr<const image::Image>& image, int colors);
     [[nodiscard]] std::unique_ptr<gpu::Geometry> make_edges(std::size_t mesh, Edges which) const;
 
     Resources* resources_;
@@ -88,6 +94,8 @@ private:
     glm::mat4 scene_from_model_;
     model::Bounds bounds_;
     std::vector<Part> parts_;  // one a mesh
+    // Textures in fewer colours, by image and number of colours, each made when first drawn.
+    std::map<std::pair<const image::Image*, int>, std::shared_ptr<const gpu::Texture>> reduced_textures_;
 };
 
 }  // namespace croquis::framework
