@@ -89,7 +89,7 @@ ROWS = {
 
 SQUARES = {
     "flat": with_highlight(bands([0.55, 0.8], [0.3]), grey(1.0), 0.5),
-    "banded": with_highlight(bands(GREYS, GREY_EDGES), grey(1.0), 0.45),
+    "banded": with_highlight(bands(GREYS, GREY_EDGES), grey(1.0), 0.3),
     "striped": with_stripes(bands(GREYS, GREY_EDGES), GREY_EDGES, 0.4, 0.018),
     "checker": checkerboard,
     "metal": metal,

@@ -7,16 +7,17 @@ uniform int levels;
 uniform float darkest;
 uniform float texture_share;
 
-// Even levels from the darkest to 1, or a map's. Light from behind gives the first one.
-vec3 light_tone(float cosine) {
-    if (textureSize(light_map_sampler, 0).x > 1) return covered_tone(light_map_sampler, cosine);
-    float level = covered_level(cosine, float(levels)) / float(levels - 1);
-    return vec3(mix(darkest, 1.0, level));
+vec4 cel_color(vec3 tone) {
+    vec3 tint = texture(surface_sampler, surface_coordinate).rgb;
+    return vec4(light_color * face_color * mix(vec3(1.0), tint, texture_share) * tone, 1.0);
 }
 
+// Even levels from the darkest to 1. Light from behind gives the first one.
 vec4 cel() {
-    vec3 tint = texture(surface_sampler, surface_coordinate).rgb;
-    vec3 color = face_color * mix(vec3(1.0), tint, texture_share);
-    return vec4(light_color * color * light_tone(seen_n_dot_l()), 1.0);
+    float level = covered_level(seen_n_dot_l(), float(levels)) / float(levels - 1);
+    return cel_color(vec3(mix(darkest, 1.0, level)));
 }
+
+// The tones of a map.
+vec4 cel_mapped() { return cel_color(covered_tone(light_map_sampler, seen_n_dot_l())); }
 #endif

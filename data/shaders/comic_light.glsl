@@ -52,10 +52,11 @@ vec3 styled_half_vector(vec3 half_vector, vec3 normal) {
     h = normalize(h - highlight_stretch.y * dot(h, along) * along);
     // Split.
     h = normalize(h - highlight_split.x * sign(dot(h, across)) * across - highlight_split.y * sign(dot(h, along)) * along);
-    // Squaring, by the smaller of the angles to both axes.
+    // Squaring, most where the vector's part in the tangent plane lies between the axes: sin(2 theta) of its angle to
+    // one of them. The paper writes the vector's own angle, which is near a right one all over a small highlight.
     vec2 on_axes = vec2(dot(h, across), dot(h, along));
-    float angle = min(acos(clamp(on_axes.x, -1.0, 1.0)), acos(clamp(on_axes.y, -1.0, 1.0)));
-    float squared = pow(abs(sin(2.0 * angle)), float(highlight_sharpness));
+    float sine = 2.0 * abs(on_axes.x * on_axes.y) / max(dot(on_axes, on_axes), 1e-8);
+    float squared = pow(sine, float(highlight_sharpness));
     return normalize(h - highlight_squareness * squared * (on_axes.x * across + on_axes.y * along));
 }
 

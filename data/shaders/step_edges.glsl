@@ -24,35 +24,41 @@ vec3 map_tone(sampler2D map, vec2 index) {
 
 vec3 map_tone(sampler2D map, float index) { return map_tone(map, vec2(index, 0.5)); }
 
-// The mean of a 1-D map over the index's range: eight taps, but two where they agree.
+// The mean of a 1-D map over the index's range: two taps, or eight where they differ. The number of rounds, not an `if`,
+// decides: software renderers follow both ways of an `if`, but leave a loop when no pixel goes on.
 vec3 covered_tone(sampler2D map, float index) {
-    if (softness == 0.0) return map_tone(map, index);
-    float step_width = index_range(index) / 8.0;
-    vec3 low = map_tone(map, index - 3.5 * step_width);
-    vec3 high = map_tone(map, index + 3.5 * step_width);
-    if (low == high && 8.0 * step_width < narrowest_band) return low;
+    float tap_width = index_range(index) / 8.0;
+    vec3 low = map_tone(map, index - 3.5 * tap_width);
+    vec3 high = map_tone(map, index + 3.5 * tap_width);
+    int more = low != high || 8.0 * tap_width > narrowest_band ? 6 : 0;
     vec3 sum = low + high;
-    for (float tap = -2.5; tap < 3.0; ++tap) sum += map_tone(map, index + tap * step_width);
-    return sum / 8.0;
+    for (int tap = 0; tap < more; ++tap) sum += map_tone(map, index + (float(tap) - 2.5) * tap_width);
+    return sum / float(2 + more);
 }
 
-// The mean of a 2-D map over the pixel's image in it: four taps of a turned grid, eight where they differ.
+// The mean of a 2-D map over the pixel's image in it: four taps of a turned square, four more of another where they
+// differ.
 vec3 covered_tone(sampler2D map, vec2 index) {
-    if (softness == 0.0) return map_tone(map, index);
     float width = softness * float(pixel_scale);
-    vec2 along_x = clamp(width * dFdx(index), -widest_range, widest_range);
-    vec2 along_y = clamp(width * dFdy(index), -widest_range, widest_range);
-    vec3 first = map_tone(map, index - 0.125 * along_x - 0.375 * along_y);
-    vec3 second = map_tone(map, index + 0.375 * along_x - 0.125 * along_y);
-    vec3 third = map_tone(map, index + 0.125 * along_x + 0.375 * along_y);
-    vec3 fourth = map_tone(map, index - 0.375 * along_x + 0.125 * along_y);
-    vec3 sum = first + second + third + fourth;
-    if (first == second && second == third && third == fourth) return first;
-    sum += map_tone(map, index - 0.3125 * along_x - 0.0625 * along_y);
-    sum += map_tone(map, index + 0.0625 * along_x - 0.3125 * along_y);
-    sum += map_tone(map, index + 0.3125 * along_x + 0.0625 * along_y);
-    sum += map_tone(map, index - 0.0625 * along_x + 0.3125 * along_y);
-    return sum / 8.0;
+    mat2 from_pixel = mat2(clamp(width * dFdx(index), -widest_range, widest_range),
+                           clamp(width * dFdy(index), -widest_range, widest_range));
+    vec2 offset = vec2(-0.125, -0.375);
+    vec3 first = map_tone(map, index + from_pixel * offset);
+    vec3 sum = first;
+    bool differ = false;
+    for (int tap = 1; tap < 4; ++tap) {
+        offset = vec2(-offset.y, offset.x);
+        vec3 tone = map_tone(map, index + from_pixel * offset);
+        differ = differ || tone != first;
+        sum += tone;
+    }
+    int more = differ ? 4 : 0;
+    offset = vec2(-0.3125, -0.0625);
+    for (int tap = 0; tap < more; ++tap) {
+        sum += map_tone(map, index + from_pixel * offset);
+        offset = vec2(-offset.y, offset.x);
+    }
+    return sum / float(4 + more);
 }
 
 // The integral of floor from 0 to x.

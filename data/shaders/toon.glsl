@@ -11,11 +11,15 @@ float lighting_intensity(vec3 normal, vec3 position) {
 #ifdef FRAGMENT_STAGE
 uniform sampler2D toon_map_sampler;
 
-// Equation 4.6.
-vec4 toon_color(float intensity) {
+// Equation 4.6, with the intensity brought to a tone.
+vec4 toon_color(vec3 tone) {
     vec3 tint = surface_tint();
-    return vec4(material_ambient * tint + light_color * covered_tone(toon_map_sampler, intensity) * material_diffuse * tint, 1.0);
+    return vec4(material_ambient * tint + light_color * tone * material_diffuse * tint, 1.0);
 }
 
-vec4 toon() { return toon_color(lighting_intensity(facing_normal(), position_scene)); }
+float seen_intensity() { return lighting_intensity(facing_normal(), position_scene); }
+
+vec4 toon() { return toon_color(map_tone(toon_map_sampler, seen_intensity())); }
+
+vec4 toon_soft() { return toon_color(covered_tone(toon_map_sampler, seen_intensity())); }
 #endif

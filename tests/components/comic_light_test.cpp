@@ -13,7 +13,7 @@ struct Style {
     const char* settings;
     glm::dvec2 shift{0.0}, stretch{0.0}, split{0.0};
     double turn = 0, squareness = 0;
-    int sharpness = 2;
+    int sharpness = 4;
 };
 
 // The paper's steps one after another, on the picture's right and up laid on the surface.
@@ -27,7 +27,7 @@ glm::dvec3 styled(glm::dvec3 h, const glm::dvec3& normal, const glm::dvec3& pict
     h = glm::normalize(h - style.stretch.y * glm::dot(h, v) * v);
     h = glm::normalize(h - style.split.x * glm::sign(glm::dot(h, u)) * u -
                        style.split.y * glm::sign(glm::dot(h, v)) * v);
-    const double angle = std::min(std::acos(glm::dot(h, u)), std::acos(glm::dot(h, v)));
+    const double angle = std::atan2(glm::dot(h, v), glm::dot(h, u));
     const double squared = std::pow(std::abs(std::sin(2 * angle)), style.sharpness);
     return glm::normalize(h - style.squareness * squared * (glm::dot(h, u) * u + glm::dot(h, v) * v));
 }
