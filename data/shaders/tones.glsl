@@ -8,15 +8,17 @@ uniform float full_light;        // the tone at which a surface shows its own co
 
 // How comics shade (seed A, table 5): less brightness and more saturation in the hue-saturation-brightness space, the
 // hue kept. With B the largest channel, S = (B - smallest) / B and k = (B - channel) / (B - smallest) a channel is
-// B (1 - S k), and k depends on the hue alone. So no hue need be found. The gain does not exceed the saturation itself:
-// a grey stays grey.
+// B (1 - S k), and k depends on the hue alone. So no hue need be found. Two limits are not the table's, which has no
+// such colours: the gain does not exceed the saturation itself, so that a grey stays grey; and below a brightness of a
+// half less is taken away, in proportion, so that dark colours do not all become black.
 vec3 darkened(vec3 color, float shade) {
     float brightness = max(max(color.r, color.g), color.b);
     float spread = brightness - min(min(color.r, color.g), color.b);
     float saturation = spread / max(brightness, 1e-5);
     vec3 hue = (brightness - color) / max(spread, 1e-5);
     saturation = clamp(saturation + shade * min(saturation_gain, saturation), 0.0, 1.0);
-    return max(brightness - shade * darkening, 0.0) * (1.0 - saturation * hue);
+    brightness -= shade * darkening * min(2.0 * brightness, 1.0);
+    return max(brightness, 0.0) * (1.0 - saturation * hue);
 }
 
 // A surface's colour under a tone.

@@ -34,11 +34,13 @@ glm::dvec3 to_rgb(const Hsb& c) {
     return {channel(5), channel(3), channel(1)};
 }
 
-// Table 5: in the dark the brightness falls and the saturation rises, a grey's not.
+// Table 5: in the dark the brightness falls and the saturation rises; but a dark colour's falls less, a grey's rises
+// not.
 glm::dvec3 darkened(const glm::dvec3& color, double shade, double darkening, double gain) {
     Hsb hsb = to_hsb(color);
     hsb.saturation = std::clamp(hsb.saturation + shade * std::min(gain, hsb.saturation), 0.0, 1.0);
-    hsb.brightness = std::max(hsb.brightness - shade * darkening, 0.0);
+    const double share = hsb.brightness >= 0.5 ? 1.0 : hsb.brightness / 0.5;
+    hsb.brightness = std::max(hsb.brightness - shade * darkening * share, 0.0);
     return to_rgb(hsb);
 }
 
@@ -92,6 +94,25 @@ TEST_F(Comic, InterpolatesTheIndexAndDarkensByTable5) {
                 return opaque(glm::dvec3(lit.light.color) * color);
             },
             0.08);
+    }
+}
+
+// A square in shadow, in colours of all kinds: dark, grey, nearly grey, saturated.
+TEST_F(Comic, DarkensAnyColour) {
+    const std::vector<glm::vec3> colors{{0.9f, 0.2f, 0.2f},  {0.2f, 0.1f, 0.15f}, {0.7f, 0.7f, 0.7f},
+                                        {0.62f, 0.6f, 0.6f}, {0.0f, 1.0f, 1.0f},  {0.0f, 0.0f, 0.0f},
+                                        {1.0f, 1.0f, 1.0f},  {0.3f, 0.35f, 0.9f}};
+    for (const glm::vec3& color : colors) {
+        const auto square = model_of({{"square", quad_corners({-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0})}},
+                                     {plain("coloured", color)});
+        Stage stage(studio(), {.model = square,
+                               .view = seen_from({0, 0, 1}),
+                               .light = {Light::Bound::world, Light::Kind::direction, {0, 0, -1}}});
+        const image::Image picture = stage.picture("pass comic c {} ;");
+        const glm::dvec3 expected = 255.0 * darkened(glm::dvec3(color), 1.0, 0.242, 0.12);
+        const glm::u8vec4 found = picture.at(picture.width() / 2, picture.height() / 2);
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(found[c], expected[c], 0.6) << color.r << " " << color.g << " " << color.b;
     }
 }
 
