@@ -15,6 +15,14 @@ vec4 comic_transform() {
     face_color = material_diffuse * mix(vec3(1.0), vertex_color, vertex_color_share);
     return clip_from_scene * position;
 }
+
+// For light at each pixel as well.
+vec4 comic_transform_with_normal() {
+    vec4 clip_position = comic_transform();
+    position_scene = (scene_from_model * vec4(vertex_position, 1.0)).xyz;
+    normal_scene = vertex_normal;
+    return clip_position;
+}
 #endif
 
 #ifdef FRAGMENT_STAGE

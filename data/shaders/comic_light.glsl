@@ -3,15 +3,6 @@
 // shadow sides that are hatched or ramped.
 #include "comic.glsl"
 
-#ifdef VERTEX_STAGE
-vec4 light_transform() {
-    vec4 clip_position = comic_transform();
-    position_scene = (scene_from_model * vec4(vertex_position, 1.0)).xyz;
-    normal_scene = vertex_normal;
-    return clip_position;
-}
-#endif
-
 #ifdef FRAGMENT_STAGE
 uniform float highlight_size;   // degrees
 uniform vec2 highlight_shift;

@@ -191,6 +191,24 @@ TEST_F(ComicExtended, ShininessZeroIsTheMaterials) {
                     [](const Lit& lit, const glm::dvec3& p) { return std::pair(lit.to_light(p), lit.to_eye(p)); });
 }
 
+TEST_F(ComicExtended, LightAtEachPixelIsTheDirectForm) {
+    const image::Image map = map_image("shade", "additive");
+    expect_shaded(
+        "pass comic_extended_per_pixel c { shade_map \"shade:additive:0\" ; softness 0 ; color_share 0 ; full_light 1 "
+        "; "
+        "shininess 6 ; } ;",
+        1,
+        [&](const Lit& lit, const RayCaster&, const Hit& hit) -> std::optional<glm::vec4> {
+            const glm::dvec3 to_light = lit.to_light(hit.position);
+            const double reflected = r_dot_v_direct(hit.normal, to_light, lit.to_eye(hit.position));
+            const auto column = texel(glm::dot(hit.normal, to_light), map.width());
+            const auto row = texel(std::pow(std::max(reflected, 0.0), 6.0), map.height());
+            if (!column || !row) return std::nullopt;
+            return opaque(glm::dvec3(lit.light.color) * map_color(map, *column, *row));
+        },
+        0.2);
+}
+
 // Figure 25b.
 TEST_F(ComicExtended, AConstantViewVectorIsTheCentres) {
     expect_extended("shininess 6 ; view_vector \"constant\" ;", 6, [](const Lit& lit, const glm::dvec3&) {

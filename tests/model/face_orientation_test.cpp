@@ -251,6 +251,25 @@ TEST(FaceOrientation, AMeshWoundInsideOutLooksTheOtherWay) {
     }
 }
 
+// A pose that moves and enlarges the model is the model seen by an eye that moved and went away.
+TEST(FaceOrientation, APoseIsSeenAsItStands) {
+    const auto model = bumpy_torus(20, 12);
+    const auto moved = [](const glm::vec3& p) { return 2.0f * p + glm::vec3(8.0f, -4.0f, 16.0f); };
+    Pose pose;
+    for (const Mesh& mesh : model->meshes) {
+        pose.push_back({mesh.positions, mesh.normals});
+        for (glm::vec3& position : pose.back().positions) position = moved(position);
+    }
+    const FaceOrientation at_rest(*model, nullptr), posed(*model, &pose);
+    for (const Eye& eye : eyes()) {
+        for (const OrientationName& known : orientation_methods()) {
+            const Flags found = found_by(known.method, posed, {moved(eye.place), false});
+            // Rounding decides for a face now and then.
+            EXPECT_NEAR(count(found), count(found_by(known.method, at_rest, eye)), 1) << known.name;
+        }
+    }
+}
+
 TEST(FaceOrientation, AWrongNameIsToldWithTheNearest) {
     try {
         static_cast<void>(orientation_method("vertices_tow"));
