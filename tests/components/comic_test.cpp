@@ -56,7 +56,7 @@ double r_dot_v_direct(const glm::dvec3& normal, const glm::dvec3& to_light, cons
     return glm::dot(glm::reflect(-to_light, normal), to_eye);
 }
 
-// The mirror of comic_extended.glsl: equation 2.
+// The mirror of specular.glsl: equation 2.
 double r_dot_v_expanded(double l_dot_v, double n_dot_l, double n_dot_v) { return 2.0 * n_dot_l * n_dot_v - l_dot_v; }
 
 // The texel of a map at an index, or nothing where rounding decides between two that differ.
