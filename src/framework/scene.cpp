@@ -164,11 +164,15 @@ const gpu::Texture& Scene::surface_texture(std::size_t mesh, const SurfaceOption
 }
 
 const gpu::Texture& Scene::reduced_texture(const std::shared_ptr<const image::Image>& image, int colors) {
-    std::shared_ptr<const gpu::Texture>& reduced = reduced_textures_[{image.get(), colors}];
-    if (!reduced) {
-        reduced = resources_->image(std::make_shared<const image::Image>(image::with_fewer_colors(*image, colors)));
+    constexpr std::size_t most_kept = 4;
+    std::vector<ReducedTexture>& known = reduced_textures_[image.get()];
+    for (const ReducedTexture& reduced : known) {
+        if (reduced.colors == colors) return *reduced.texture;
     }
-    return *reduced;
+    if (known.size() == most_kept) known.erase(known.begin());
+    const auto pixels = std::make_shared<const image::Image>(image::with_fewer_colors(*image, colors));
+    known.push_back({colors, resources_->image(pixels)});
+    return *known.back().texture;
 }
 
 void Scene::draw_edges(const ObjectSelection& selection, Edges which) {

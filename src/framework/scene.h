@@ -82,6 +82,11 @@ private:
         std::array<std::unique_ptr<gpu::Geometry>, 2> edges;  // all and tagged, made when first drawn
     };
 
+    struct ReducedTexture {
+        int colors = 0;
+        std::shared_ptr<const gpu::Texture> texture;
+    };
+
     void upload_positions(const model::Pose* pose);
     void find_bounds();
     [[nodiscard]] const gpu::Texture& surface_texture(std::size_t mesh, const SurfaceOptions& options);
@@ -94,8 +99,8 @@ private:
     glm::mat4 scene_from_model_;
     model::Bounds bounds_;
     std::vector<Part> parts_;  // one a mesh
-    // Textures in fewer colours, by image and number of colours, each made when first drawn.
-    std::map<std::pair<const image::Image*, int>, std::shared_ptr<const gpu::Texture>> reduced_textures_;
+    // Textures in fewer colours, each made when first drawn; of each image the last few, for the number is a slider.
+    std::map<const image::Image*, std::vector<ReducedTexture>> reduced_textures_;
 };
 
 }  // namespace croquis::framework

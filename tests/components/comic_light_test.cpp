@@ -51,7 +51,7 @@ TEST_F(ComicLight, HighlightsFollowThePaper) {
             fmt::format("pass comic_light c {{ softness 0 ; tones \"multiply\" ; shade_map \"toon:flat:0\" ; "
                         "highlight_size 25 ; highlight_color 1 0 0 ; {} }} ;",
                         style.settings),
-            2,
+            1,
             [&](const Lit& lit, const RayCaster&, const Hit& hit) -> std::optional<glm::vec4> {
                 const glm::dvec3 half = glm::normalize(lit.to_light(hit.position) + lit.to_eye(hit.position));
                 const double above =
@@ -70,7 +70,7 @@ TEST_F(ComicLight, RimsLieWhereTheSurfaceTurnsAway) {
             "pass comic_light c { softness 0 ; tones \"multiply\" ; shade_map \"toon:flat:0\" ; rim_strength 0.5 ; "
             "rim_width 0.6 ; rim_color 0 0 1 ; rim_side \"" +
                 side + "\" ; } ;",
-            2,
+            1,
             [&](const Lit& lit, const RayCaster& rays, const Hit& hit) -> std::optional<glm::vec4> {
                 const double facing = glm::dot(hit.normal, lit.to_eye(hit.position));
                 const double light =
