@@ -17,12 +17,13 @@ import make_hatching
 import make_images
 import make_models
 import make_papers
+import make_shade_maps
 import make_strokes
 import make_toon_maps
 from shared import read_png
 
 DATA = pathlib.Path(__file__).resolve().parent.parent / "data"
-SCRIPTS = (make_toon_maps, make_images, make_papers, make_strokes, make_hatching, make_models)
+SCRIPTS = (make_toon_maps, make_shade_maps, make_images, make_papers, make_strokes, make_hatching, make_models)
 
 
 def make(out):

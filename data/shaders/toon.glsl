@@ -1,5 +1,6 @@
 // Cartoon shading through a toon map: seed C, section 4.2, equations 4.4-4.6.
 #include "light.glsl"
+#include "step_edges.glsl"
 
 // Equation 4.4.
 float lighting_intensity(vec3 normal, vec3 position) {
@@ -10,17 +11,15 @@ float lighting_intensity(vec3 normal, vec3 position) {
 #ifdef FRAGMENT_STAGE
 uniform sampler2D toon_map_sampler;
 
-// The stepped intensity. The map is not repeated: its ends reach on.
-vec3 stepped(float intensity) {
-    float half_texel = 0.5 / float(textureSize(toon_map_sampler, 0).x);
-    return textureLod(toon_map_sampler, vec2(clamp(intensity, half_texel, 1.0 - half_texel), 0.5), 0.0).rgb;
-}
-
-// Equation 4.6.
-vec4 toon_color(float intensity) {
+// Equation 4.6, with the intensity brought to a tone.
+vec4 toon_color(vec3 tone) {
     vec3 tint = surface_tint();
-    return vec4(material_ambient * tint + light_color * stepped(intensity) * material_diffuse * tint, 1.0);
+    return vec4(material_ambient * tint + light_color * tone * material_diffuse * tint, 1.0);
 }
 
-vec4 toon() { return toon_color(lighting_intensity(facing_normal(), position_scene)); }
+float seen_intensity() { return lighting_intensity(facing_normal(), position_scene); }
+
+vec4 toon() { return toon_color(map_tone(toon_map_sampler, seen_intensity())); }
+
+vec4 toon_soft() { return toon_color(covered_tone(toon_map_sampler, seen_intensity())); }
 #endif

@@ -15,5 +15,7 @@ vec4 transform() {
 #endif
 
 #ifdef FRAGMENT_STAGE
-vec4 toon_per_vertex() { return toon_color(gl_FrontFacing ? intensity_front : intensity_back); }
+vec4 toon_per_vertex() {
+    return toon_color(map_tone(toon_map_sampler, gl_FrontFacing ? intensity_front : intensity_back));
+}
 #endif

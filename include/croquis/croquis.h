@@ -2,6 +2,7 @@
 #pragma once
 
 #include "croquis/error.h"
+#include "croquis/face_orientation.h"
 #include "croquis/lines.h"
 #include "croquis/model.h"
 #include "croquis/picture.h"

@@ -15,6 +15,8 @@ struct Model;
 
 class LineDrawing;
 struct LineOptions;
+struct FaceOrientationOptions;
+struct FaceOrientationResult;
 
 /// A stretch of movement that a model brings along.
 struct Animation {
@@ -54,6 +56,8 @@ public:
 private:
     friend class Renderer;
     friend LineDrawing draw_lines(const Model& model, const LineOptions& options);
+    friend std::vector<FaceOrientationResult> compare_face_orientations(const Model& model,
+                                                                        const FaceOrientationOptions& options);
     explicit Model(std::shared_ptr<const model::Model> model) : model_(std::move(model)) {}
     std::shared_ptr<const model::Model> model_;
 };

@@ -1,4 +1,5 @@
 // simple_render: the scene's surfaces through any pair of shader functions (seed C, program 2.2).
+#include "components/chosen_faces.h"
 #include "components/shader_pair.h"
 #include "framework/component.h"
 #include "framework/render_target.h"
@@ -16,7 +17,10 @@ public:
           target_(pass),
           clear_color_(pass.variable<glm::vec3>("clear_color")),
           objects_(pass.variable<std::string>("objects")),
-          shaders_(pass) {}
+          shaders_(pass) {
+        if (pass.has("texture_colors")) texture_colors_ = pass.variable<std::int32_t>("texture_colors");
+        if (pass.has("orientation")) chosen_faces_.emplace(pass);
+    }
 
     void variable_changed(std::string_view name) override { shaders_.variable_changed(name); }
 
@@ -32,7 +36,10 @@ protected:
         context.scene.draw_surfaces(
             framework::ObjectSelection(objects_.value()), program,
             {.depth_test = gpu::DepthTest::nearer, .write_depth = true, .stencil = gpu::Stencil::mark_surface},
-            {.eye_is_outside = context.eye_is_outside(), .texture_for_all = pass_.texture("texture")});
+            {.eye_is_outside = context.eye_is_outside(),
+             .texture_for_all = pass_.texture("texture"),
+             .texture_colors = texture_colors_ ? texture_colors_->value() : 0,
+             .triangles = chosen_faces_ ? chosen_faces_->find(context) : nullptr});
     }
 
 private:
@@ -46,6 +53,9 @@ private:
     framework::Variable<glm::vec3> clear_color_;
     framework::Variable<std::string> objects_;
     ShaderPair shaders_;
+    // What only some of the derived components declare.
+    std::optional<framework::Variable<std::int32_t>> texture_colors_;
+    std::optional<ChosenFaces> chosen_faces_;
 };
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "framework/pass.h"
 
+#include <algorithm>
+
 #include "base/names.h"
 
 namespace croquis::framework {
@@ -65,6 +67,12 @@ void Pass::find_textures() {
     }
 }
 
+int Pass::place_of_choice(const VariableDescriptor& variable) const {
+    const std::vector<std::string>& choices = variable.choices;
+    return int(std::find(choices.begin(), choices.end(), std::get<std::string>(value(variable.name))) -
+               choices.begin());
+}
+
 const gpu::Texture* Pass::texture(std::string_view name) const {
     const auto found = textures_.find(name);
     return found == textures_.end() ? nullptr : found->second.get();
@@ -74,6 +82,10 @@ void Pass::apply_parameters(const gpu::Program& program, int first_unit) const {
     int unit = first_unit;
     for (const VariableDescriptor& variable : component().variables) {
         if (!variable.vertex_parameter && !variable.fragment_parameter) continue;
+        if (!variable.choices.empty()) {
+            program.set(variable.name, place_of_choice(variable));
+            continue;
+        }
         if (variable.type != VariableType::texture) {
             std::visit(SetUniform{program, variable.name}, value(variable.name));
             continue;

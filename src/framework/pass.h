@@ -68,8 +68,9 @@ public:
     [[nodiscard]] const gpu::Texture* texture(std::string_view name) const;
 
     /// Gives a program all variables that the descriptor marks as its parameters: numbers to the uniform of the
-    /// variable's name, a texture `x` to the sampler `x_sampler` (for `texture` itself is a function of GLSL), bound
-    /// from texture unit `first_unit` on. The program must be in use.
+    /// variable's name, one of several choices as its place among them, from 0, a texture `x` to the sampler
+    /// `x_sampler` (for `texture` itself is a function of GLSL), bound from texture unit `first_unit` on. The program
+    /// must be in use.
     void apply_parameters(const gpu::Program& program, int first_unit) const;
 
     /// Grows by one with each change: what a component has derived from values is stale when it differs.
@@ -78,6 +79,7 @@ public:
 private:
     [[noreturn]] void refuse_type(std::string_view name) const;
     [[nodiscard]] std::shared_ptr<const gpu::Texture> find_texture(const std::string& name, TextureForm form) const;
+    [[nodiscard]] int place_of_choice(const VariableDescriptor& variable) const;
 
     PassDefinition definition_;
     Resources* resources_;

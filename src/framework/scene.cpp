@@ -5,6 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "base/names.h"
+#include "image/palette.h"
 #include "model/posed_shape.h"
 #include "model/texcoord_scale.h"
 
@@ -138,7 +139,7 @@ void Scene::draw_surfaces(const ObjectSelection& selection, const gpu::Program& 
         const model::Mesh& mesh = model_->meshes[i];
         if (!selection.includes(*model_, mesh)) continue;
         const model::Material& material = model_->materials[mesh.material];
-        state.cull = options.eye_is_outside ? parts_[i].cull : gpu::Cull::none;
+        state.cull = options.eye_is_outside && options.triangles == nullptr ? parts_[i].cull : gpu::Cull::none;
         gpu::apply(state);
         if (options.scale != 1) program.set("scene_from_model", scaled(parts_[i], options.scale));
         program.set("material_ambient", material.ambient);
@@ -147,12 +148,34 @@ void Scene::draw_surfaces(const ObjectSelection& selection, const gpu::Program& 
         program.set("material_shininess", material.shininess);
         program.set("region", mesh.region);
         program.set("vertex_color_share", mesh.colors.empty() ? 0.0f : 1.0f);
-        const gpu::Texture* own = parts_[i].texture ? parts_[i].texture.get() : &resources_->white();
-        (options.texture_for_all ? options.texture_for_all : own)->bind(surface_texture_unit);
+        surface_texture(i, options).bind(surface_texture_unit);
         program.set("surface_sampler", surface_texture_unit);
         if (program.uses("texcoord_scale")) program.set("texcoord_scale", texcoord_scale(i));
-        surface(i, options.kind).draw();
+        if (options.triangles != nullptr) {
+            surface(i, options.kind).draw((*options.triangles)[i]);
+        } else {
+            surface(i, options.kind).draw();
+        }
     }
+}
+
+const gpu::Texture& Scene::surface_texture(std::size_t mesh, const SurfaceOptions& options) {
+    if (options.texture_for_all != nullptr) return *options.texture_for_all;
+    if (!parts_[mesh].texture) return resources_->white();
+    if (options.texture_colors == 0) return *parts_[mesh].texture;
+    return reduced_texture(model_->materials[model_->meshes[mesh].material].texture, options.texture_colors);
+}
+
+const gpu::Texture& Scene::reduced_texture(const std::shared_ptr<const image::Image>& image, int colors) {
+    constexpr std::size_t most_kept = 4;
+    std::vector<ReducedTexture>& known = reduced_textures_[image.get()];
+    for (const ReducedTexture& reduced : known) {
+        if (reduced.colors == colors) return *reduced.texture;
+    }
+    if (known.size() == most_kept) known.erase(known.begin());
+    const auto pixels = std::make_shared<const image::Image>(image::with_fewer_colors(*image, colors));
+    known.push_back({colors, resources_->image(pixels)});
+    return *known.back().texture;
 }
 
 void Scene::draw_edges(const ObjectSelection& selection, Edges which) {

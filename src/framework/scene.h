@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <glm/mat4x4.hpp>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -59,6 +60,9 @@ public:
         const gpu::Texture* texture_for_all = nullptr;  ///< in place of each material's own
         float scale = 1;                                ///< of each mesh, about the middle of its box
         SurfaceKind kind = SurfaceKind::smooth;         ///< what the program reads at the vertices
+        int texture_colors = 0;  ///< each material's own texture brought to so many colours; 0: as it is
+        /// One list a mesh of the triangles to draw in place of all, front and back, uploaded with each draw.
+        const std::vector<std::vector<std::uint32_t>>* triangles = nullptr;
     };
 
     /// Draws the surfaces of the selected meshes with the program in use, giving it each one's material. Texture unit 0
@@ -84,6 +88,11 @@ private:
         std::optional<float> texcoord_scale;                  // found when a program first asks
     };
 
+    struct ReducedTexture {
+        int colors = 0;
+        std::shared_ptr<const gpu::Texture> texture;
+    };
+
     void move_vertices();
     [[nodiscard]] MeshGeometry& surface(std::size_t mesh, SurfaceKind kind);
     [[nodiscard]] std::span<const glm::vec3> positions(std::size_t mesh) const;
@@ -91,6 +100,8 @@ private:
     [[nodiscard]] float texcoord_scale(std::size_t mesh);
     void find_bounds();
     [[nodiscard]] glm::mat4 scaled(const Part& part, float scale) const;
+    [[nodiscard]] const gpu::Texture& surface_texture(std::size_t mesh, const SurfaceOptions& options);
+    [[nodiscard]] const gpu::Texture& reduced_texture(const std::shared_ptr<const image::Image>& image, int colors);
     [[nodiscard]] std::unique_ptr<gpu::Geometry> make_edges(std::size_t mesh, Edges which) const;
 
     Resources* resources_;
@@ -99,6 +110,8 @@ private:
     glm::mat4 scene_from_model_;
     model::Bounds bounds_;
     std::vector<Part> parts_;  // one a mesh
+    // Textures in fewer colours, each made when first drawn; of each image the last few, for the number is a slider.
+    std::map<const image::Image*, std::vector<ReducedTexture>> reduced_textures_;
 };
 
 }  // namespace croquis::framework

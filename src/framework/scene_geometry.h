@@ -1,6 +1,7 @@
 // A mesh on the GPU, with what its vertices hold for different kinds of shading.
 #pragma once
 
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <span>
@@ -28,6 +29,8 @@ public:
     void move(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals);
 
     void draw() const { geometry_->draw(); }
+    /// Draws these triangles of the mesh alone, of a smooth surface: slow, for what changes with each frame.
+    void draw(std::span<const std::uint32_t> triangles) { geometry_->draw(triangles); }
 
 private:
     const model::Mesh* mesh_;

@@ -54,6 +54,7 @@ Geometry::~Geometry() {
     glDeleteVertexArrays(1, &array_);
     glDeleteBuffers(GLsizei(buffers_.size()), buffers_.data());
     if (indices_ != 0) glDeleteBuffers(1, &indices_);
+    if (passing_indices_ != 0) glDeleteBuffers(1, &passing_indices_);
     --context_->counters().live_geometries;
 }
 
@@ -86,6 +87,19 @@ void Geometry::draw(std::size_t first, std::size_t count) const {
     ++context_->counters().draws;
     glBindVertexArray(array_);
     glDrawElements(GL_TRIANGLES, GLsizei(count), GL_UNSIGNED_INT, as_offset(first * sizeof(std::uint32_t)));
+    glBindVertexArray(0);
+}
+
+void Geometry::draw(std::span<const std::uint32_t> triangles) {
+    assert(indices_ != 0);
+    ++context_->counters().draws;
+    ++context_->counters().geometry_uploads;
+    if (passing_indices_ == 0) glGenBuffers(1, &passing_indices_);
+    glBindVertexArray(array_);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, passing_indices_);
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(triangles.size_bytes()), triangles.data(), GL_STREAM_DRAW);
+    glDrawElements(GL_TRIANGLES, GLsizei(triangles.size()), GL_UNSIGNED_INT, nullptr);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);
     glBindVertexArray(0);
 }
 

@@ -47,6 +47,8 @@ public:
     void draw() const;
     /// Draws a stretch of the triangles alone: `count` indices from `first` on.
     void draw(std::size_t first, std::size_t count) const;
+    /// Uploads other triangles of the same vertices and draws these alone: slow, for what changes with each frame.
+    void draw(std::span<const std::uint32_t> triangles);
 
 private:
     void upload(std::span<const VertexBuffer> buffers);
@@ -55,6 +57,7 @@ private:
     unsigned array_ = 0;
     std::vector<unsigned> buffers_;
     unsigned indices_ = 0;
+    unsigned passing_indices_ = 0;  // made when first needed
     int index_count_ = 0;
     int strip_vertices_ = 0;
     int instances_ = 0;

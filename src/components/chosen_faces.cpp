@@ -1,0 +1,50 @@
+#include "components/chosen_faces.h"
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+namespace croquis::components {
+namespace {
+
+// Scene space is the model's, moved and scaled: directions are the same.
+model::Eye eye_in_model(const framework::RenderContext& context) {
+    const model::Camera& camera = context.camera;
+    if (camera.projection == model::Projection::parallel) return {glm::vec3(camera.back), true};
+    const glm::mat4 model_from_scene = glm::inverse(context.scene.scene_from_model());
+    return {glm::vec3(model_from_scene * glm::vec4(glm::vec3(camera.eye), 1.0f)), false};
+}
+
+}  // namespace
+
+const std::vector<std::vector<std::uint32_t>>* ChosenFaces::find(const framework::RenderContext& context) {
+    if (orientation_.value() == "exact" || !context.eye_is_outside()) return nullptr;
+    prepare_for(context.scene);
+    faces_->find(model::orientation_method(orientation_.value()), eye_in_model(context), context.seed, is_front_);
+    collect(context.scene.model());
+    return &triangles_;
+}
+
+void ChosenFaces::prepare_for(const framework::Scene& scene) {
+    if (faces_ && model_ == scene.shared_model() && pose_ == scene.shared_pose()) return;
+    model_ = scene.shared_model();
+    pose_ = scene.shared_pose();
+    faces_.emplace(*model_, pose_.get());
+}
+
+void ChosenFaces::collect(const model::Model& model) {
+    triangles_.resize(model.meshes.size());
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < model.meshes.size(); ++i) {
+        const std::vector<std::uint32_t>& all = model.meshes[i].triangles;
+        const bool is_solid = model.topology().mesh_is_solid[i];
+        triangles_[i].clear();
+        for (std::size_t face = 0; face < all.size() / 3; ++face) {
+            if (is_solid && is_front_[first + face] == 0) continue;
+            triangles_[i].insert(triangles_[i].end(), all.begin() + std::ptrdiff_t(3 * face),
+                                 all.begin() + std::ptrdiff_t(3 * face + 3));
+        }
+        first += all.size() / 3;
+    }
+}
+
+}  // namespace croquis::components
