@@ -42,7 +42,8 @@ vec3 styled_half_vector(vec3 half_vector, vec3 normal) {
     h = normalize(h - highlight_stretch.x * dot(h, across) * across);
     h = normalize(h - highlight_stretch.y * dot(h, along) * along);
     // Split.
-    h = normalize(h - highlight_split.x * sign(dot(h, across)) * across - highlight_split.y * sign(dot(h, along)) * along);
+    h = normalize(h - highlight_split.x * sign(dot(h, across)) * across -
+                  highlight_split.y * sign(dot(h, along)) * along);
     // Squaring, most where the vector's part in the tangent plane lies between the axes: sin(2 theta) of its angle to
     // one of them. The paper writes the vector's own angle, which is near a right one all over a small highlight.
     vec2 on_axes = vec2(dot(h, across), dot(h, along));

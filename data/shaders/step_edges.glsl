@@ -24,8 +24,8 @@ vec3 map_tone(sampler2D map, vec2 index) {
 
 vec3 map_tone(sampler2D map, float index) { return map_tone(map, vec2(index, 0.5)); }
 
-// The mean of a 1-D map over the index's range: two taps, or eight where they differ. The number of rounds, not an `if`,
-// decides: software renderers follow both ways of an `if`, but leave a loop when no pixel goes on.
+// The mean of a 1-D map over the index's range: two taps, or eight where they differ. A number of rounds decides, not an
+// `if`: software renderers follow both ways of an `if`, but leave a loop when no pixel goes on.
 vec3 covered_tone(sampler2D map, float index) {
     float tap_width = index_range(index) / 8.0;
     vec3 low = map_tone(map, index - 3.5 * tap_width);
