@@ -12,6 +12,7 @@
 #include "bench/reports.h"
 #include "built_in_model.h"
 #include "commands.h"
+#include "orientation_table.h"
 #include "parse.h"
 #include "progress.h"
 #include "subdivision_options.h"
@@ -26,12 +27,14 @@ struct BenchOptions {
     std::string model;
     std::string texture;
     SubdivisionOptions subdivision;
-    std::string techniques = "base,gouraud,cartoon,edges,cartoon_strokes,wireframe";
+    std::string techniques =
+        "base,cel,comic,comic_extended,outline_stencil,outline_front_face,hatching_simple,hatching_fine,cartoon";
     std::string size = "620x500";
     std::string direction = "12.73,17.85,12.52";
     bench::Protocol protocol;
     std::string triangles;
     std::string json, plot;
+    bool orientation = false;
 
     void add_to(CLI::App& command);
 };
@@ -66,6 +69,8 @@ void BenchOptions::add_to(CLI::App& command) {
         ->capture_default_str();
     command.add_flag("--passes", protocol.passes, "The time of each pass as well");
     command.add_flag("--stability", protocol.stability, "How much the pictures change while the model turns");
+    command.add_flag("--orientation", orientation,
+                     "In place of techniques: how ways to tell which faces look at the eye compare");
     command.add_option("--json", json, "JSON file to write, - for standard output");
     command.add_option("--plot", plot, "SVG or PNG file with the ratios over the number of triangles");
     common.add_to(command);
@@ -105,7 +110,22 @@ std::string plot_format(const std::string& path) {
     return ending.substr(1);
 }
 
+// Seed A's tables 6 to 9: of the model, or of its levels of detail of so many triangles.
+int compare_orientations(const BenchOptions& options) {
+    const std::string path = options.model.empty() ? built_in_model_path(options.common) : options.model;
+    const Model model = options.subdivision.applied_to(Model::load(path));
+    FaceOrientationOptions views;
+    views.view.direction = parse_view(options.direction);
+    std::vector<std::size_t> counts = parse_triangles(options.triangles);
+    if (counts.empty()) counts.push_back(model.triangle_count());
+    for (const std::size_t count : counts) {
+        print_orientation_table(count < model.triangle_count() ? model.simplified(count) : model, views);
+    }
+    return 0;
+}
+
 int run(const BenchOptions& options) {
+    if (options.orientation) return compare_orientations(options);
     bench::Protocol protocol = options.protocol;
     const Size pixels = parse_size(options.size, "--size");
     protocol.width = pixels.width;

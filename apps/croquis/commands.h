@@ -33,6 +33,5 @@ void add_bench_command(CLI::App& program, Commands& commands);
 void add_list_command(CLI::App& program, Commands& commands);
 void add_describe_command(CLI::App& program, Commands& commands);
 void add_doctor_command(CLI::App& program, Commands& commands);
-void add_orientation_command(CLI::App& program, Commands& commands);
 
 }  // namespace croquis::app

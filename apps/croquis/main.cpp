@@ -66,7 +66,6 @@ int run(int argc, char** argv) {
     add_list_command(program, commands);
     add_describe_command(program, commands);
     add_doctor_command(program, commands);
-    add_orientation_command(program, commands);
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& success) {  // --help, --version

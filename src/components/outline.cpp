@@ -1,5 +1,6 @@
 // outline: silhouettes as quads along the surface's edges, over the surfaces that the frame holds. Seed A, 3.4 and
 // 3.6.3; seed B, chapter 4, algorithms 1-3; seed E, 10.3.1 and 10.4.
+#include <glm/trigonometric.hpp>
 #include <optional>
 
 #include "components/occluder.h"
@@ -63,7 +64,8 @@ private:
 struct Stroke {
     float width = 1;
     bool only_outside = true;
-    float towards_eye = 0;
+    float towards_eye = 0;         // scene units
+    float widths_towards_eye = 0;  // the line's own widths
 };
 
 class Outline final : public framework::Component {
@@ -73,6 +75,8 @@ public:
           method_(pass.variable<std::string>("method")),
           width_(pass.variable<float>("width")),
           boundary_width_(pass.variable<float>("boundary_width")),
+          inner_width_(pass.variable<float>("inner_width")),
+          crease_angle_(pass.variable<float>("crease_angle")),
           width_unit_(pass.variable<std::string>("width_unit")),
           colors_(pass.variable<std::string>("colors")),
           color_(pass.variable<glm::vec3>("color")),
@@ -106,8 +110,8 @@ protected:
 private:
     // Lines lie a hair behind where they are, so that the surface covers what of them reaches over it.
     static constexpr float behind_surface = -2e-4f;
-    // And those that are to show on it, before it.
-    static constexpr float before_surface = 4e-3f;
+    // And those that are to show on it, so many of their widths before it: surfaces may slope as much beside them.
+    static constexpr float widths_before_surface = 1.5f;
 
     void draw_lines(RenderContext& context) {
         constexpr gpu::DrawState ink{.depth_test = gpu::DepthTest::nearer_or_equal, .blend = gpu::Blend::over};
@@ -131,6 +135,9 @@ private:
                 draw_through_stencil(context, ink);
                 break;
         }
+        if (inner_width_.value() > 0) {
+            draw(context, *lines_, inner_, ink, {inner_width_.value(), false, 0, widths_before_surface});
+        }
         if (boundary_width_.value() > 0) {
             draw(context, *lines_, found_, outside, {boundary_width_.value(), true, 0});
         }
@@ -139,7 +146,7 @@ private:
     // Seed E, 10.3.1: front faces in line mode only mark the stencil; back faces in line mode are drawn where it is
     // marked, and take the mark away.
     void draw_through_stencil(RenderContext& context, gpu::DrawState state) {
-        const Stroke stroke{width_.value(), false, before_surface};
+        const Stroke stroke{width_.value(), false, 0, widths_before_surface};
         context.frame.clear_line_marks();
         gpu::DrawState mark = state;
         mark.write_color = false;
@@ -158,9 +165,11 @@ private:
         program.use();
         context.apply(program);
         program.set("line_width", in_model_units ? hundredth * stroke.width : stroke.width);
-        program.set("pixels_per_unit", in_model_units ? 0.5f * projection[1][1] * float(context.frame.height()) : 0.0f);
+        program.set("in_model_units", in_model_units);
+        program.set("pixels_per_unit", 0.5f * projection[1][1] * float(context.frame.height()));
         program.set("only_outside", stroke.only_outside);
         program.set("towards_eye", stroke.towards_eye);
+        program.set("widths_towards_eye", stroke.widths_towards_eye);
         program.set("depth_terms", glm::vec2(projection[2][2], projection[3][2]));
         gpu::apply(state);
         lines.draw();
@@ -207,6 +216,9 @@ private:
             of_back_faces_.upload(gpu, instances(edges_->edges_of_faces(subject_->view, Facing::back, shown)));
         }
         found_.upload(gpu, instances(edges_->contours(subject_->view, shown)));
+        if (inner_width_.value() > 0) {
+            inner_.upload(gpu, instances(edges_->inner_edges(glm::radians(double(crease_angle_.value())), shown)));
+        }
     }
 
     // One line an edge; in ink three, their offsets' components in turn (seed B, algorithm 3).
@@ -238,6 +250,8 @@ private:
     Variable<std::string> method_;
     Variable<float> width_;
     Variable<float> boundary_width_;
+    Variable<float> inner_width_;
+    Variable<float> crease_angle_;
     Variable<std::string> width_unit_;
     Variable<std::string> colors_;
     Variable<glm::vec3> color_;
@@ -259,7 +273,7 @@ private:
     std::optional<OutlineEdges> edges_;
     std::vector<glm::u8vec4> own_colors_;  // one a vertex of the topology; empty for lines of one colour
     std::vector<glm::vec3> offsets_;       // the same; empty but for method ink
-    LineBuffer found_, of_front_faces_, of_back_faces_;
+    LineBuffer found_, inner_, of_front_faces_, of_back_faces_;
 };
 
 }  // namespace

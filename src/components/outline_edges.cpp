@@ -73,6 +73,22 @@ std::vector<EdgeWithFace> OutlineEdges::edges_of_faces(const lines::Viewpoint& v
     return found;
 }
 
+std::vector<EdgeWithFace> OutlineEdges::inner_edges(double crease_angle, const std::vector<bool>& shown) const {
+    const model::Topology& topology = surface_->topology();
+    std::vector<std::uint32_t> edges = surface_->creases(crease_angle);
+    const std::vector<std::uint32_t> boundaries = surface_->material_boundaries();
+    edges.insert(edges.end(), boundaries.begin(), boundaries.end());
+    edges.insert(edges.end(), topology.tagged_edges.begin(), topology.tagged_edges.end());
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    std::vector<EdgeWithFace> found;
+    for (const std::uint32_t edge : edges) {
+        const std::uint32_t face = topology.edges[edge].faces[0];
+        if (shown[topology.faces[face].mesh]) found.push_back({edge, third_corner(edge, face)});
+    }
+    return found;
+}
+
 namespace {
 
 // The texel at a texture coordinate; (0, 0) is the image's lower left, and the image is repeated.

@@ -47,6 +47,10 @@ public:
     [[nodiscard]] std::vector<EdgeWithFace> edges_of_faces(const lines::Viewpoint& view, Facing facing,
                                                            const std::vector<bool>& shown) const;
 
+    /// Edges on the surface that hold in every view: where it bends by more than an angle (radians), where two meshes
+    /// or materials meet, and what the model's author marked.
+    [[nodiscard]] std::vector<EdgeWithFace> inner_edges(double crease_angle, const std::vector<bool>& shown) const;
+
 private:
     [[nodiscard]] bool bounds_its_faces(std::uint32_t edge, const lines::Viewpoint& view) const;
     [[nodiscard]] std::uint32_t third_corner(std::uint32_t edge, std::uint32_t face) const;
