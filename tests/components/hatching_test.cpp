@@ -58,12 +58,14 @@ class HatchingTest : public StudioTest {};
 TEST_F(HatchingTest, TheMeanToneIsTheCosine) {
     for (const Style& style : toned_styles) {
         const auto technique = studio().open(toned(style));
+        // In the picture's plane, what is measured is whole images of strokes.
+        const double exactness = std::string(style.component) == "hatch_surface" ? 0.02 : 0.006;
         double last = -1;
         for (int i = 0; i <= 16; ++i) {
             const double cosine = i / 16.0;
             Stage stage(studio(), board_in_light(cosine, 300));
             const double mean = mean_tone(stage.picture(*technique), 256);
-            EXPECT_NEAR(mean, cosine, 0.02) << style.component << " with " << style.strokes;
+            EXPECT_NEAR(mean, cosine, exactness) << style.component << " with " << style.strokes;
             EXPECT_GT(mean, last);
             last = mean;
         }
@@ -175,16 +177,15 @@ double strokes_a_pixel(const image::Image& picture) {
 
 TEST_F(HatchingTest, StrokesOnTheSurfaceKeepTheirSizeFromNearAndFar) {
     std::vector<double> counts;
-    for (double fit = 0.9; fit < 15; fit *= 1.25) {
+    for (double distance = 10; distance > 0.15; distance *= 0.8) {
         Shot shot = board_in_light(0.7, 200);
-        shot.view.fit = 0.9;
-        shot.view.eye = glm::dvec3(0, 0, 10 / fit);
+        shot.view.eye = glm::dvec3(0, 0, distance);
         shot.view.projection = model::Projection::perspective;
         counts.push_back(strokes_a_pixel(Stage(studio(), shot).picture(toned(toned_styles[3], "angle 90 ;"))));
     }
     const auto [fewest, most] = std::minmax_element(counts.begin(), counts.end());
     EXPECT_GT(*fewest, 0.02);
-    EXPECT_LT(*most, 3 * *fewest) << "from a distance of 11 to one of 0.7";
+    EXPECT_LT(*most, 3 * *fewest) << "of the counts at distances from 10 to 0.15";
 }
 
 TEST_F(HatchingTest, TransparencyAtVerticesIsThresholdedAndInterpolated) {
