@@ -5,6 +5,7 @@
 #include "croquis/face_orientation.h"
 #include "croquis/lines.h"
 #include "croquis/model.h"
+#include "croquis/pass_variable.h"
 #include "croquis/picture.h"
 #include "croquis/renderer.h"
 #include "croquis/view.h"

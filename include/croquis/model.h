@@ -13,6 +13,7 @@ namespace model {
 struct Model;
 }
 
+struct View;
 class LineDrawing;
 struct LineOptions;
 struct FaceOrientationOptions;
@@ -55,6 +56,7 @@ public:
 
 private:
     friend class Renderer;
+    friend struct View;
     friend LineDrawing draw_lines(const Model& model, const LineOptions& options);
     friend std::vector<FaceOrientationResult> compare_face_orientations(const Model& model,
                                                                         const FaceOrientationOptions& options);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "croquis/model.h"
+#include "croquis/pass_variable.h"
 #include "croquis/picture.h"
 #include "croquis/view.h"
 
@@ -22,6 +23,12 @@ public:
     [[nodiscard]] const std::string& name() const;
     [[nodiscard]] const std::string& help() const;
     [[nodiscard]] std::vector<std::string> pass_names() const;
+
+    /// All variables of all passes, in order, as their descriptors declare them, with their values of now.
+    [[nodiscard]] std::vector<PassVariable> variables() const;
+
+    /// The text of a `.technique` file that draws the same: what it included stands in it, with the values of now.
+    [[nodiscard]] std::string text() const;
 
     /// Changes a variable of a pass: `set("edges.normal_threshold", "0.5")`. Values are written as in technique files,
     /// text without its quotes. A value out of range warns and is clamped. Throws Error with the nearest name, changing
@@ -82,10 +89,24 @@ public:
 
     [[nodiscard]] std::vector<std::string> technique_names() const;
 
+    /// The images that texture variables may name, `directory:image` each.
+    [[nodiscard]] std::vector<std::string> texture_names() const;
+
+    /// One of them. Throws Error with the nearest name.
+    [[nodiscard]] Picture texture(const std::string& name) const;
+
     /// Opens a technique by name, or by the path of a file that ends in ".technique". `settings` are values from the
     /// start, `pass.variable=value` each. Throws Error at the place of a mistake in its file.
     [[nodiscard]] Technique open_technique(const std::string& name_or_path,
                                            const std::vector<std::string>& settings = {});
+
+    /// Opens a technique from the text of a `.technique` file. Messages call that file `name`.technique.
+    [[nodiscard]] Technique open_technique_text(const std::string& name, const std::string& text);
+
+    /// Takes notice of changed files: techniques opened from now on are made of descriptors, shaders and textures as
+    /// they are on disk now. Those opened before go on with what they have, so that a mistake in a file need not cost
+    /// the picture. Throws Error, changing nothing, when the descriptors are wrong.
+    void reload();
 
     /// Draws, and reads the picture back. Throws Error for options that make no sense.
     [[nodiscard]] Picture draw(const Model& model, Technique& technique, const DrawOptions& options = {});

@@ -8,6 +8,8 @@
 
 namespace croquis {
 
+class Model;
+
 /// Three numbers: a point or a direction, x, y, z; y points up.
 using Vector3 = std::array<double, 3>;
 
@@ -24,6 +26,10 @@ struct View {
 
     /// front, back, left, right, top, bottom or iso. Throws Error with the nearest name.
     [[nodiscard]] static View named(const std::string& name);
+
+    /// The same view with its eye and target said, where direction and fit put them for the model at rest in a frame of
+    /// `aspect` = width / height: what an interactive camera starts from. Throws Error for a view that makes no sense.
+    [[nodiscard]] View placed(const Model& model, double aspect) const;
 };
 
 /// The one light.

@@ -65,6 +65,8 @@ struct Renderer::State {
     Uploaded& upload(const std::shared_ptr<const model::Model>& model);
     static void pose(Uploaded& uploaded, const DrawOptions& options);
 
+    std::unique_ptr<Technique::Opened> open(const framework::TechniqueDefinition& definition);
+
     struct Tile {
         std::string name;
         std::shared_ptr<const gpu::Texture> image;
@@ -190,12 +192,35 @@ RendererInfo Renderer::info() const {
 
 std::vector<std::string> Renderer::technique_names() const { return state_->library->technique_names(); }
 
+std::vector<std::string> Renderer::texture_names() const { return state_->resources.image_names(); }
+
+Picture Renderer::texture(const std::string& name) const {
+    const image::Image image = state_->resources.read_image(framework::TextureName::parse(name));
+    std::vector<std::uint8_t> pixels;
+    for (const auto& pixel : image.pixels()) pixels.insert(pixels.end(), {pixel.r, pixel.g, pixel.b, pixel.a});
+    return Picture(image.width(), image.height(), std::move(pixels));
+}
+
+std::unique_ptr<Technique::Opened> Renderer::State::open(const framework::TechniqueDefinition& definition) {
+    context->make_current();
+    return std::make_unique<Technique::Opened>(*context, library, definition, resources, components);
+}
+
 Technique Renderer::open_technique(const std::string& name_or_path, const std::vector<std::string>& settings) {
-    state_->context->make_current();
     framework::TechniqueDefinition definition = state_->library->technique(name_or_path);
     for (const std::string& setting : settings) framework::assign(definition, setting);
-    return Technique(std::make_unique<Technique::Opened>(*state_->context, state_->library, definition,
-                                                         state_->resources, state_->components));
+    return Technique(state_->open(definition));
+}
+
+Technique Renderer::open_technique_text(const std::string& name, const std::string& text) {
+    return Technique(state_->open(state_->library->technique_from_text(name, text)));
+}
+
+void Renderer::reload() {
+    state_->context->make_current();
+    state_->library = std::make_shared<const framework::Library>(state_->library->folders());
+    state_->resources.forget_files();
+    state_->tile = {};
 }
 
 Picture Renderer::draw(const Model& model, Technique& technique, const DrawOptions& options) {

@@ -5,6 +5,7 @@
 
 #include "api/view_request.h"
 #include "base/error.h"
+#include "croquis/model.h"
 
 namespace croquis {
 namespace {
@@ -36,6 +37,21 @@ View View::named(const std::string& name) {
     View view;
     view.direction = {direction.x, direction.y, direction.z};
     return view;
+}
+
+View View::placed(const Model& model, double aspect) const {
+    const model::Camera camera = model::place_camera(*model.model_, nullptr, view_request(*this), aspect);
+    const model::SceneSpace space = model::SceneSpace::of(*model.model_);
+    const glm::dvec3 looked_at = target ? as_vector(*target) : space.centre;
+    // A parallel frame is as high as a perspective one at the target; there the eye's distance says how high.
+    const double distance = parallel ? camera.half_height / camera.tangent * space.radius
+                                     : glm::length(space.centre + space.radius * camera.eye - looked_at);
+    const glm::dvec3 stand = looked_at + distance * camera.back;
+    View placed = *this;
+    placed.eye = {stand.x, stand.y, stand.z};
+    placed.target = {looked_at.x, looked_at.y, looked_at.z};
+    placed.up = {camera.up.x, camera.up.y, camera.up.z};
+    return placed;
 }
 
 }  // namespace croquis

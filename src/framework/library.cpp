@@ -55,6 +55,11 @@ TechniqueDefinition Library::technique(const std::string& name_or_path) const {
     return read_technique(path.stem().string(), read_source(path), descriptors_, find_beside);
 }
 
+TechniqueDefinition Library::technique_from_text(const std::string& name, const std::string& text) const {
+    return read_technique(name, {name + technique_ending, text}, descriptors_,
+                          [this](const std::string& included) { return find_named(*this, included); });
+}
+
 void assign(TechniqueDefinition& technique, const std::string& assignment) {
     const std::size_t equals = assignment.find('=');
     const std::size_t dot = assignment.rfind('.', equals);

@@ -25,6 +25,10 @@ public:
     /// includes are then looked for beside it first. Throws Error with the nearest name.
     [[nodiscard]] TechniqueDefinition technique(const std::string& name_or_path) const;
 
+    /// Reads a technique from its text. What it includes is looked for in the data folders. Throws Error, at places of
+    /// "NAME.technique".
+    [[nodiscard]] TechniqueDefinition technique_from_text(const std::string& name, const std::string& text) const;
+
 private:
     DataFolders folders_;
     Descriptors descriptors_;

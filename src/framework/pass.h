@@ -35,6 +35,8 @@ public:
 
     [[nodiscard]] const std::string& name() const { return definition_.name; }
     [[nodiscard]] const ComponentDescriptor& component() const { return *definition_.component; }
+    /// What it was made of, with the values of now.
+    [[nodiscard]] const PassDefinition& definition() const { return definition_; }
     [[nodiscard]] const TextPosition& where() const { return definition_.where; }
     [[nodiscard]] Resources& resources() const { return *resources_; }
     [[nodiscard]] GeneratedTextures& generated() const { return *generated_; }

@@ -26,7 +26,7 @@ gpu::ShaderFile find_shader(const DataFolders& folders, const std::string& name)
     return {path.string(), read_file(path, most_bytes)};
 }
 
-std::vector<std::string> image_names(const DataFolders& folders, const std::string& directory) {
+std::vector<std::string> images_of(const DataFolders& folders, const std::string& directory) {
     std::set<std::string> names;
     for (const char* ending : image_endings) {
         for (std::string& name : folders.names("textures/" + directory, ending)) names.insert(std::move(name));
@@ -78,10 +78,15 @@ std::shared_ptr<const gpu::Program> Resources::program(const std::string& vertex
     return program;
 }
 
+void Resources::forget_files() {
+    programs_.clear();
+    images_.clear();
+}
+
 fs::path Resources::find_image(const TextureName& name) const {
     std::string image = name.image;
     check_stays_inside(name.directory);
-    const std::vector<std::string> names = image_names(folders_, name.directory);
+    const std::vector<std::string> names = images_of(folders_, name.directory);
     if (names.empty()) {
         fail("no texture directory \"{}\"{}", name.directory, suggestion(name.directory, image_directories(folders_)));
     }
@@ -95,6 +100,18 @@ fs::path Resources::find_image(const TextureName& name) const {
     }
     fail("no image \"{}\" in texture directory \"{}\"{}", image, name.directory, suggestion(image, names));
 }
+
+std::vector<std::string> Resources::image_names() const {
+    std::set<std::string> names;
+    for (const std::string& directory : image_directories(folders_)) {
+        for (const std::string& image : images_of(folders_, directory)) {
+            names.insert(directory + ":" + image);
+        }
+    }
+    return {names.begin(), names.end()};
+}
+
+image::Image Resources::read_image(const TextureName& name) const { return image::read(find_image(name)); }
 
 std::shared_ptr<const gpu::Texture> Resources::image(const TextureName& name, TextureForm form) {
     const fs::path path = find_image(name);

@@ -33,11 +33,20 @@ public:
     [[nodiscard]] std::shared_ptr<const gpu::Texture> image(const TextureName& name,
                                                             TextureForm form = TextureForm::flat);
 
+    /// All images of data/textures, `directory:image`, sorted.
+    [[nodiscard]] std::vector<std::string> image_names() const;
+
+    /// The pixels of an image of data/textures. Throws Error as `image` does.
+    [[nodiscard]] image::Image read_image(const TextureName& name) const;
+
     /// A material's image.
     [[nodiscard]] std::shared_ptr<const gpu::Texture> image(const std::shared_ptr<const image::Image>& pixels);
 
     /// One white pixel, for surfaces without a texture.
     [[nodiscard]] const gpu::Texture& white() const { return white_; }
+
+    /// Reads programs and images anew when they are next asked for. Those in use stay as they are.
+    void forget_files();
 
     /// Draws the bound program over the whole bound target: the one way to draw a full-screen pass.
     void draw_full_screen() const { triangle_.draw(); }

@@ -47,6 +47,12 @@ const Technique::Step& Technique::step(std::string_view name) const {
 
 const Pass& Technique::pass(std::string_view name) const { return *step(name).pass; }
 
+TechniqueDefinition Technique::definition() const {
+    TechniqueDefinition definition{.name = name_, .help = help_, .passes = {}};
+    for (const Step& step : steps_) definition.passes.push_back(step.pass->definition());
+    return definition;
+}
+
 void Technique::set(std::string_view pass, std::string_view variable, const Value& value) {
     const Step& changed = step(pass);
     const bool exists = changed.pass->has(variable);

@@ -30,6 +30,9 @@ public:
     /// Throws Error with the nearest name.
     [[nodiscard]] const Pass& pass(std::string_view name) const;
 
+    /// The technique as a file would have it, with the values of now.
+    [[nodiscard]] TechniqueDefinition definition() const;
+
     /// Changes a variable; the next frame shows it. Throws Error, changing nothing, when it cannot be.
     void set(std::string_view pass, std::string_view variable, const Value& value);
 

@@ -183,4 +183,19 @@ TechniqueDefinition read_technique(const std::string& name, const Descriptors::S
     return Reader(descriptors, find).read(name, source);
 }
 
+std::string format_technique(const TechniqueDefinition& technique) {
+    std::string text;
+    if (!technique.help.empty()) text += fmt::format("help {} ;\n\n", quote(technique.help));
+    for (const PassDefinition& pass : technique.passes) {
+        text += fmt::format("pass {} {} {{\n", pass.component->name, pass.name);
+        for (const VariableDescriptor& variable : pass.component->variables) {
+            const Value& value = pass.values.at(variable.name);
+            if (variable.default_value == value) continue;
+            text += fmt::format("    {} {} ;\n", variable.name, format_value(value));
+        }
+        text += "} ;\n";
+    }
+    return text;
+}
+
 }  // namespace croquis::framework

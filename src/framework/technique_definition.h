@@ -49,4 +49,7 @@ using FindTechnique = std::function<Descriptors::Source(const std::string& name)
 [[nodiscard]] TechniqueDefinition read_technique(const std::string& name, const Descriptors::Source& source,
                                                  const Descriptors& descriptors, const FindTechnique& find);
 
+/// The technique as a file that draws the same: every pass with the values that are not its component's defaults.
+[[nodiscard]] std::string format_technique(const TechniqueDefinition& technique);
+
 }  // namespace croquis::framework

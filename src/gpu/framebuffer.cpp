@@ -106,6 +106,14 @@ std::vector<std::uint8_t> Framebuffer::read(unsigned attachment) const {
     return pixels;
 }
 
+glm::u8vec4 Framebuffer::read_pixel(int x, int y) const {
+    bind();
+    ++context_->counters().read_backs;
+    glm::u8vec4 pixel{0};
+    glReadPixels(x, height() - 1 - y, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &pixel.x);
+    return pixel;
+}
+
 void Framebuffer::copy_to(Framebuffer& destination, Part part) const {
     assert(width() == destination.width() && height() == destination.height());
     glBindFramebuffer(GL_READ_FRAMEBUFFER, id_);

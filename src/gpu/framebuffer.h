@@ -25,6 +25,9 @@ public:
     [[nodiscard]] int width() const;
     [[nodiscard]] int height() const;
 
+    /// For who draws into it as a caller of the public API does.
+    [[nodiscard]] unsigned id() const { return id_; }
+
     /// Resizes the textures. Contents are lost when the size changes.
     void resize(int width, int height);
 
@@ -40,6 +43,9 @@ public:
     /// The colours as 8-bit RGBA, rows from top to bottom. Waits for the picture: counted as a read-back.
     [[nodiscard]] std::vector<std::uint8_t> read_pixels() const { return read(0); }
     [[nodiscard]] std::vector<std::uint8_t> read_second_pixels() const { return read(1); }
+
+    /// One pixel of the colours, from the upper left. Counted as a read-back too.
+    [[nodiscard]] glm::u8vec4 read_pixel(int x, int y) const;
 
     /// Copies the colour or the depth to another framebuffer of the same size and formats.
     enum class Part { color, depth };
