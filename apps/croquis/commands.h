@@ -30,6 +30,7 @@ void add_render_command(CLI::App& program, Commands& commands);
 /// `command_line` is written into the files.
 void add_lines_command(CLI::App& program, Commands& commands, const std::string& command_line);
 void add_bench_command(CLI::App& program, Commands& commands);
+void add_view_command(CLI::App& program, Commands& commands);
 void add_list_command(CLI::App& program, Commands& commands);
 void add_describe_command(CLI::App& program, Commands& commands);
 void add_doctor_command(CLI::App& program, Commands& commands);

@@ -63,6 +63,7 @@ int run(int argc, char** argv) {
     add_render_command(program, commands);
     add_lines_command(program, commands, command_line(argc, argv));
     add_bench_command(program, commands);
+    add_view_command(program, commands);
     add_list_command(program, commands);
     add_describe_command(program, commands);
     add_doctor_command(program, commands);
@@ -75,7 +76,7 @@ int run(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         if (argc < 2)
             return refuse(
-                "expected a command: render, lines, bench, list, describe or doctor; croquis --help tells more");
+                "expected a command: render, lines, bench, view, list, describe or doctor; croquis --help tells more");
         if (program.get_subcommands().empty() && argc >= 2) return refuse(unknown_argument(program));
         return refuse(first_line(error.what()));
     }

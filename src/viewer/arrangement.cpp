@@ -28,14 +28,18 @@ void Arrangement::take(const Model& model, const View& view, FrameSize frame) {
     const glm::dvec3 low = vector(model.low_corner()), high = vector(model.high_corner());
     centre_ = 0.5 * (low + high);
     radius_ = std::max(0.5 * glm::length(high - low), 1e-300);
+    place(placed);
+}
+
+void Arrangement::place(const View& view) {
     object_turn_ = glm::dquat(1, 0, 0, 0);
     object_offset_ = glm::dvec3(0.0);
-    target_ = vector(*placed.target);
-    const glm::dvec3 back = vector(*placed.eye) - target_;
+    target_ = vector(*view.target);
+    const glm::dvec3 back = vector(*view.eye) - target_;
     distance_ = glm::length(back);
-    orientation_ = orientation_of(back / distance_, vector(placed.up));
-    field_of_view_ = placed.field_of_view;
-    is_parallel_ = placed.parallel;
+    orientation_ = orientation_of(back / distance_, vector(view.up));
+    field_of_view_ = view.field_of_view;
+    is_parallel_ = view.parallel;
 }
 
 glm::dvec3 Arrangement::to_object(const glm::dvec3& point_of_world) const {

@@ -36,6 +36,9 @@ public:
     /// the object, so that the same drag moves a tooth and a town alike.
     void take(const Model& model, const View& view, FrameSize frame);
 
+    /// The object at rest, the camera where a view says, which names its eye and its target.
+    void place(const View& view);
+
     [[nodiscard]] View view() const;
     [[nodiscard]] Light light() const;
 

@@ -1,25 +1,28 @@
 #include "viewer/canvas.h"
 
-#include <memory>
-
 #include "gpu/state.h"
 
 namespace croquis::viewer {
+namespace {
 
-Canvas::Canvas()
-    : context_(gpu::Context::current()),
-      framebuffer_(*context_, std::make_shared<gpu::Texture>(*context_, gpu::TextureFormat::rgba8, 1, 1), nullptr) {}
-
-void Canvas::resize(FrameSize wanted) {
-    if (wanted.width == framebuffer_.width() && wanted.height == framebuffer_.height()) return;
-    framebuffer_.resize(wanted.width, wanted.height);
-    clear();
+std::unique_ptr<gpu::Framebuffer> blank_picture(gpu::Context& context) {
+    const auto color = std::make_shared<gpu::Texture>(context, gpu::TextureFormat::rgba8, 1, 1);
+    auto framebuffer = std::make_unique<gpu::Framebuffer>(context, color, nullptr);
+    framebuffer->clear_color(glm::vec4(1.0f));
+    return framebuffer;
 }
 
-void Canvas::clear() {
+}  // namespace
+
+Canvas::Canvas()
+    : context_(gpu::Context::current()), shown_(blank_picture(*context_)), drawn_(blank_picture(*context_)) {}
+
+unsigned Canvas::begin(FrameSize size) {
     const gpu::SavedState saved;
     gpu::apply({});
-    framebuffer_.clear_color(glm::vec4(1.0f));
+    drawn_->resize(size.width, size.height);
+    drawn_->clear_color(glm::vec4(1.0f));
+    return drawn_->id();
 }
 
 }  // namespace croquis::viewer

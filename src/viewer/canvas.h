@@ -1,8 +1,9 @@
-// The picture that the viewer shows: drawn anew only when something of it changed, kept when a drawing fails.
+// The picture that the viewer shows. A drawing that fails leaves the last good one.
 #pragma once
 
 #include <cstdint>
-#include <glm/gtc/type_precision.hpp>
+#include <glm/vec4.hpp>
+#include <memory>
 #include <vector>
 
 #include "gpu/framebuffer.h"
@@ -15,24 +16,26 @@ public:
     /// Drawn in the context that is current, which must stay so.
     Canvas();
 
-    /// Takes another size, blank. Nothing happens when the size is the same.
-    void resize(FrameSize size);
-    /// Makes all of it white: what a drawing with a transparent background is shown on.
-    void clear();
+    /// Begins a drawing of that size on white. What it returns is for Renderer::draw_into. The last picture stays until
+    /// `keep`.
+    [[nodiscard]] unsigned begin(FrameSize size);
+    /// The drawing is done: it is the picture now.
+    void keep() { std::swap(shown_, drawn_); }
 
-    [[nodiscard]] FrameSize size() const { return {framebuffer_.width(), framebuffer_.height()}; }
-    /// What Renderer::draw_into takes.
-    [[nodiscard]] unsigned framebuffer() const { return framebuffer_.id(); }
+    [[nodiscard]] FrameSize size() const { return {shown_->width(), shown_->height()}; }
     /// For the user interface: the OpenGL texture, its first row the lowest.
-    [[nodiscard]] unsigned texture() const { return framebuffer_.color()->id(); }
+    [[nodiscard]] unsigned texture() const { return shown_->color()->id(); }
+
+    /// Waits until all that was asked for is drawn: to measure, and not to fall behind the mouse.
+    void finish() { context_->finish(); }
 
     /// Rows from top to bottom, 4 bytes a pixel.
-    [[nodiscard]] std::vector<std::uint8_t> pixels() const { return framebuffer_.read_pixels(); }
-    [[nodiscard]] glm::u8vec4 pixel(int x, int y) const { return framebuffer_.read_pixel(x, y); }
+    [[nodiscard]] std::vector<std::uint8_t> pixels() const { return shown_->read_pixels(); }
+    [[nodiscard]] glm::u8vec4 pixel(int x, int y) const { return shown_->read_pixel(x, y); }
 
 private:
     std::unique_ptr<gpu::Context> context_;
-    gpu::Framebuffer framebuffer_;
+    std::unique_ptr<gpu::Framebuffer> shown_, drawn_;
 };
 
 }  // namespace croquis::viewer

@@ -14,8 +14,8 @@ struct Command {
     std::vector<std::string> keys;  ///< "F1", "Tab", "Ctrl+S", "R"; the help screen shows all
     std::string help;               ///< what it does, for the help screen and as tooltip
     std::function<void()> run;
-    std::function<bool()> is_on{};     ///< for what is switched on and off: draws a check mark
-    std::function<void()> release{};   ///< for what lasts as long as its key is held
+    std::function<bool()> is_on{};    ///< for what is switched on and off: draws a check mark
+    std::function<void()> release{};  ///< for what lasts as long as its key is held
 };
 
 class Commands {

@@ -38,12 +38,16 @@ public:
         const toml::node* node = table_.get(key);
         if (node == nullptr) return;
         if constexpr (std::is_same_v<T, bool> || std::is_same_v<T, std::string>) {
-            if (const auto found = node->value_exact<T>()) value = *found;
-            else refuse(key, *node);
+            if (const auto found = node->value_exact<T>())
+                value = *found;
+            else
+                refuse(key, *node);
         } else {
             const auto found = node->value<double>();
-            if (found && *found >= least && *found <= most) value = T(*found);
-            else refuse(key, *node);
+            if (found && *found >= least && *found <= most)
+                value = T(*found);
+            else
+                refuse(key, *node);
         }
     }
 

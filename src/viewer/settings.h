@@ -14,8 +14,8 @@ struct Settings {
     std::string technique = "cartoon";
     int window_width = 1280;
     int window_height = 720;
-    double ui_scale = 0;  ///< of texts and panels; 0: what the display asks for
-    int samples = 4;      ///< of a pixel while nothing moves
+    double ui_scale = 0;           ///< of texts and panels; 0: what the display asks for
+    int samples = 4;               ///< of a pixel while nothing moves
     double least_frame_rate = 15;  ///< to hold while something moves, at the cost of detail; 0: always full detail
     bool shows_panels = true;
     bool shows_overlay = false;

@@ -89,7 +89,7 @@ WRONG_OPTIONS = [
 
 # Whole command lines.
 WRONG_COMMANDS = [
-    ([], "expected a command: render, lines, bench, list, describe or doctor; croquis --help tells more"),
+    ([], "expected a command: render, lines, bench, view, list, describe or doctor; croquis --help tells more"),
     (["rendr"], 'unknown argument "rendr"; did you mean "render"?'),
     (["--versio"], 'unknown argument "--versio"; did you mean "--version"?'),
     (["list", "x"], 'unknown argument "x"'),

@@ -1,0 +1,87 @@
+// croquis view: a window to look at models in techniques, and to tune these.
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "base/error.h"
+#include "base/log.h"
+#include "built_in_model.h"
+#include "commands.h"
+#include "parse.h"
+#include "viewer/settings.h"
+#include "window.h"
+
+namespace croquis::app {
+namespace {
+
+struct ViewCommand {
+    Common common;
+    std::vector<std::string> files;
+    std::string technique;
+    std::string size;
+    std::string settings_file;
+    double ui_scale = 0;
+};
+
+std::filesystem::path settings_path(const ViewCommand& options) {
+    return options.settings_file.empty() ? viewer::Settings::default_path()
+                                         : std::filesystem::path(options.settings_file);
+}
+
+viewer::Settings starting_settings(const ViewCommand& options) {
+    viewer::Settings settings = viewer::Settings::load(settings_path(options));
+    if (!options.size.empty()) {
+        const Size size = parse_size(options.size, "--size");
+        settings.window_width = size.width;
+        settings.window_height = size.height;
+    }
+    if (!options.technique.empty()) settings.technique = options.technique;
+    if (options.ui_scale > 0) settings.ui_scale = options.ui_scale;
+    return settings;
+}
+
+// A configuration folder that cannot be written to is a pity and no failure.
+void remember(const viewer::Settings& settings, const std::filesystem::path& path) {
+    if (path.empty()) return;
+    try {
+        settings.save(path);
+    } catch (const Error& error) {
+        warn(error.what());
+    }
+}
+
+int run(const ViewCommand& options) {
+    const viewer::Settings start = starting_settings(options);
+    Window window(start.window_width, start.window_height, start.ui_scale);
+    Renderer renderer = Renderer::in_current_context(options.common.data_folders);
+    viewer::Application application(renderer, start);
+    for (const std::string& file : options.files) application.open(file);
+    if (options.files.empty()) application.open(built_in_model_path(options.common));
+    window.run(application);
+    viewer::Settings settings = application.settings();
+    const Window::Size size = window.size();
+    settings.window_width = size.width;
+    settings.window_height = size.height;
+    remember(settings, settings_path(options));
+    return 0;
+}
+
+}  // namespace
+
+void add_view_command(CLI::App& program, Commands& commands) {
+    CLI::App* command = program.add_subcommand("view", "Opens a window to look at models and tune techniques");
+    const auto options = std::make_shared<ViewCommand>();
+    command->add_option(
+        "files", options->files,
+        "Models, .technique files, images as texture of the model; a built-in teapot where none is named");
+    command->add_option("-t,--technique", options->technique,
+                        "Name of a technique; that of last time where none is named");
+    command->add_option("--size", options->size, "Of the window, WIDTHxHEIGHT; that of last time where none is named");
+    command->add_option("--ui-scale", options->ui_scale, "How large texts and panels are; what the display asks for")
+        ->check(check_number);
+    command->add_option("--settings", options->settings_file, "File of what is remembered, in place of the user's own");
+    options->common.add_to(*command);
+    commands[command] = [options] { return run(*options); };
+}
+
+}  // namespace croquis::app

@@ -1,0 +1,262 @@
+#include "viewer/application.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <utility>
+
+#include "base/error.h"
+#include "viewer/command_line.h"
+
+namespace croquis::viewer {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr auto time_between_looks = std::chrono::milliseconds(400);
+constexpr std::array image_endings{".png", ".jpg", ".jpeg", ".tga", ".bmp", ".pcx"};
+
+bool is_sample_count(int samples) { return samples == 1 || samples == 4 || samples == 9 || samples == 16; }
+
+std::string ending_of(const std::string& path) {
+    std::string ending = fs::path(path).extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    return ending;
+}
+
+// drawing-1.png, drawing-2.png, …: the first that is not there yet.
+std::string unused_name(const std::string& stem, const std::string& ending) {
+    std::error_code error;
+    for (int number = 1;; ++number) {
+        std::string name = fmt::format("{}-{}{}", stem, number, ending);
+        if (!fs::exists(name, error)) return name;
+    }
+}
+
+}  // namespace
+
+Application::Application(Renderer& renderer, Settings settings)
+    : renderer_(renderer),
+      settings_(std::move(settings)),
+      session_(renderer),
+      thumbnails_(renderer),
+      variables_(renderer),
+      techniques_(renderer.technique_names()) {
+    if (is_sample_count(settings_.samples)) session_.set_samples(settings_.samples);
+    session_.arrangement().bind_light(settings_.light_stays_with);
+    mouse_.set_inertia(settings_.has_inertia);
+    add_commands();
+    choose_technique(settings_.technique);
+    if (!session_.has_technique() && !techniques_.empty()) choose_technique(techniques_.front());
+}
+
+Settings Application::settings() const {
+    Settings settings = settings_;
+    settings.samples = session_.samples();
+    settings.light_stays_with = session_.arrangement().light_stays_with();
+    if (session_.has_technique()) settings.technique = session_.technique_name();
+    return settings;
+}
+
+// Whatever goes wrong is told, and told no more once the next deed succeeds.
+void Application::act(const std::function<void()>& deed) {
+    try {
+        deed();
+        messages_.mended(Messages::Source::action);
+    } catch (const Error& error) {
+        messages_.tell(Messages::Source::action, error.what());
+    }
+}
+
+bool Application::press(std::string_view key) {
+    bool is_known = false;
+    act([&] { is_known = commands_.press(key); });
+    return is_known;
+}
+
+bool Application::release(std::string_view key) { return commands_.release(key); }
+
+void Application::open(const std::string& path) {
+    const std::string ending = ending_of(path);
+    const std::vector<std::string> models = Model::readable_endings();
+    if (ending == ".technique") {
+        choose_technique(path);
+    } else if (std::find(models.begin(), models.end(), ending) != models.end()) {
+        loader_.start(path, "");
+    } else if (std::find(image_endings.begin(), image_endings.end(), ending) != image_endings.end()) {
+        act([&] {
+            if (session_.model_path().empty()) fail("{}: expected a model that the image can lie on, found none", path);
+            loader_.start(session_.model_path(), path);
+        });
+    } else {
+        act([&] { fail("{}: expected a model, a technique or an image, found \"{}\"", path, ending); });
+    }
+}
+
+void Application::choose_technique(const std::string& name_or_path) {
+    act([&] {
+        session_.choose_technique(name_or_path);
+        scroll_to_technique_ = true;
+        watch_files();
+    });
+}
+
+void Application::step_technique(int step) {
+    if (techniques_.empty()) return;
+    const auto found = std::find(techniques_.begin(), techniques_.end(), session_.technique_name());
+    const auto count = std::ptrdiff_t(techniques_.size());
+    const std::ptrdiff_t at = found == techniques_.end() ? 0 : found - techniques_.begin() + step;
+    choose_technique(techniques_[std::size_t((at + count) % count)]);
+}
+
+// All that techniques can be made of, for a file that is new may be what one missed; and the folder of a technique that
+// was opened by its path, for what it includes lies there.
+void Application::watch_files() {
+    std::vector<fs::path> places;
+    for (const std::string& folder : renderer_.info().data_folders) places.emplace_back(folder);
+    if (ending_of(session_.technique_name()) == ".technique") {
+        const fs::path technique(session_.technique_name());
+        places.push_back(technique);
+        std::error_code error;
+        const fs::path folder = technique.has_parent_path() ? technique.parent_path() : fs::path(".");
+        for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+            if (entry.path().extension() == ".technique") places.push_back(entry.path());
+        }
+    }
+    watch_.watch(std::move(places));
+    looked_at_files_ = Clock::now();
+}
+
+void Application::reload_files() {
+    try {
+        session_.reload();
+        messages_.mended(Messages::Source::files);
+        messages_.mended(Messages::Source::drawing);
+    } catch (const Error& error) {
+        messages_.tell(Messages::Source::files, error.what());
+    }
+    techniques_ = renderer_.technique_names();
+    thumbnails_.restart();
+    variables_.forget_textures();
+}
+
+void Application::take_arrival(ModelLoader::Arrival arrival) {
+    if (!arrival.error.empty()) {
+        messages_.tell(Messages::Source::model, arrival.error);
+        return;
+    }
+    if (arrival.model) {
+        messages_.mended(Messages::Source::model);
+        player_.take(arrival.model->animations());
+        session_.show(*arrival.model, arrival.path, arrival.texture, frame_);
+        settings_.remember_model(fs::absolute(arrival.path).string());
+        thumbnails_.restart();
+    }
+    if (arrival.small_copy) session_.take_small_copy(*arrival.small_copy);
+}
+
+bool Application::poll() {
+    bool is_due = false;
+    if (auto arrival = loader_.take()) {
+        take_arrival(std::move(*arrival));
+        is_due = true;
+    }
+    if (Clock::now() - looked_at_files_ >= time_between_looks) {
+        looked_at_files_ = Clock::now();
+        if (watch_.has_changed()) {
+            reload_files();
+            is_due = true;
+        }
+    }
+    return is_due;
+}
+
+bool Application::is_moving() const { return mouse_.is_dragging() || mouse_.is_coasting() || player_.is_playing(); }
+
+bool Application::wants_frames() const {
+    const bool has_pictures_to_make = thumbnails_.has_work() && session_.model() != nullptr;
+    return mouse_.is_coasting() || player_.is_playing() || has_pictures_to_make || loader_.is_reading() ||
+           has_passing_note_;
+}
+
+// Only what moves gives up detail, and only where it would not keep up.
+Detail Application::detail() const {
+    const bool is_slow = full_milliseconds_ * settings_.least_frame_rate > 1000.0;
+    return is_moving() && is_slow ? Detail::reduced : Detail::full;
+}
+
+void Application::move_by_mouse(double pixels_a_point) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool is_over_drawing = !io.WantCaptureMouse && ImGui::IsMousePosValid();
+    MouseState mouse{.position = glm::dvec2(io.MousePos.x, io.MousePos.y) * pixels_a_point,
+                     .is_over_drawing = is_over_drawing,
+                     .turns = io.MouseDown[0] && !io.KeyShift && !io.KeyCtrl,
+                     .pans = io.MouseDown[1] || io.MouseDown[2] || (io.MouseDown[0] && io.KeyShift),
+                     .rolls = io.MouseDown[0] && io.KeyCtrl,
+                     .wheel = double(io.MouseWheel),
+                     .seconds = double(io.DeltaTime)};
+    if (magnifier_.is_held() && mouse.wheel != 0) magnifier_.zoom(std::exchange(mouse.wheel, 0.0));
+    mouse_.move(mouse, settings_.moves, frame_, session_);
+}
+
+void Application::draw_picture() {
+    if (!session_.is_stale(frame_, detail())) return;
+    const Detail asked = detail();
+    const auto begun = Clock::now();
+    try {
+        session_.draw(canvas_, frame_, asked);
+        canvas_.finish();
+        messages_.mended(Messages::Source::drawing);
+    } catch (const Error& error) {
+        messages_.tell(Messages::Source::drawing, error.what());
+        return;
+    }
+    const double milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - begun).count();
+    if (asked == Detail::full) full_milliseconds_ = milliseconds;
+    overlay_.add_frame(milliseconds);
+}
+
+// One a frame, and none while the mouse is busy: each may compile shaders.
+void Application::draw_thumbnail() {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool is_busy = is_moving() || ImGui::IsAnyMouseDown() || io.MouseWheel != 0;
+    if (!is_busy && thumbnails_.has_work()) thumbnails_.draw_one(session_);
+}
+
+void Application::frame(FrameSize pixels) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const double pixels_a_point = double(pixels.width) / double(io.DisplaySize.x);
+    frame_ = pixels;
+    if (player_.is_playing()) {
+        player_.advance(double(io.DeltaTime));
+        session_.set_moment(player_.clip(), player_.seconds());
+    }
+    move_by_mouse(pixels_a_point);
+    draw_picture();
+    ImGui::GetBackgroundDrawList()->AddImage(texture_id(canvas_.texture()), ImVec2(0, 0), io.DisplaySize, ImVec2(0, 1),
+                                             ImVec2(1, 0));
+    show_panels(pixels_a_point);
+    draw_thumbnail();
+}
+
+void Application::save_picture(bool has_background) {
+    const std::string stem = fs::path(session_.model_path()).stem().string();
+    const std::string path = unused_name(stem.empty() ? "drawing" : stem, ".png");
+    session_.save_picture(path, frame_, 1, has_background);
+    messages_.note("wrote " + path);
+}
+
+void Application::paste_camera() {
+    const char* text = ImGui::GetClipboardText();
+    View view = session_.arrangement().view();
+    Light light = session_.arrangement().light();
+    read_camera_and_light(text != nullptr ? text : "", view, light);
+    session_.arrangement().place(view);
+    session_.arrangement().set_light(light);
+}
+
+}  // namespace croquis::viewer

@@ -1,0 +1,117 @@
+// The viewer without its window: what is shown, what the mouse, keys and dropped files do. A window, or a test, gives
+// it events by ImGui's IO and by `press`, and calls `frame` between ImGui::NewFrame and ImGui::Render.
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "viewer/animation_player.h"
+#include "viewer/commands.h"
+#include "viewer/file_watch.h"
+#include "viewer/magnifier.h"
+#include "viewer/messages.h"
+#include "viewer/model_loader.h"
+#include "viewer/mouse.h"
+#include "viewer/overlay.h"
+#include "viewer/session.h"
+#include "viewer/settings.h"
+#include "viewer/technique_panel.h"
+#include "viewer/variables_panel.h"
+
+namespace croquis::viewer {
+
+class Application {
+public:
+    /// `renderer` draws in the context that is current, which must stay so.
+    Application(Renderer& renderer, Settings settings);
+
+    /// Opens a file by its ending: a model, a technique, or an image as texture of the model that is shown. Anything
+    /// else, and whatever is wrong with it, is told in the window.
+    void open(const std::string& path);
+
+    /// A key, as the registry of commands names it: "Ctrl+S". False where none has it.
+    bool press(std::string_view key);
+    bool release(std::string_view key);
+
+    /// Draws what changed and shows the panels. `pixels` is the size of the picture, `ImGui::GetIO().DisplaySize` that
+    /// of the window in points.
+    void frame(FrameSize pixels);
+
+    /// Looks for models that were read and files that changed. True when a frame is due.
+    [[nodiscard]] bool poll();
+    /// True while frames are due without anybody doing anything: something moves, or is still being made.
+    [[nodiscard]] bool wants_frames() const;
+    [[nodiscard]] bool wants_to_close() const { return wants_to_close_; }
+
+    /// What to remember.
+    [[nodiscard]] Settings settings() const;
+
+    [[nodiscard]] Session& session() { return session_; }
+    [[nodiscard]] Canvas& canvas() { return canvas_; }
+    [[nodiscard]] const Commands& commands() const { return commands_; }
+    [[nodiscard]] const Messages& messages() const { return messages_; }
+    [[nodiscard]] const ModelLoader& loader() const { return loader_; }
+
+private:
+    // application_commands.cpp
+    void add_commands();
+    void add_view_commands();
+    void add_motion_commands();
+    void add_technique_commands();
+    void add_file_commands();
+
+    void act(const std::function<void()>& deed);
+    void choose_technique(const std::string& name_or_path);
+    void step_technique(int step);
+    void watch_files();
+    void reload_files();
+    void take_arrival(ModelLoader::Arrival arrival);
+    void save_picture(bool has_background);
+    void paste_camera();
+
+    void move_by_mouse(double pixels_a_point);
+    void draw_picture();
+    void draw_thumbnail();
+    [[nodiscard]] bool is_moving() const;
+    [[nodiscard]] Detail detail() const;
+
+    // application_panels.cpp
+    void show_panels(double pixels_a_point);
+    void show_technique_panel(float width);
+    void show_tuning_panel(float width);
+    void show_view_settings();
+    void show_menu();
+    void show_animation();
+    void show_reading();
+    void show_save_dialogue();
+
+    Renderer& renderer_;
+    Settings settings_;
+    Session session_;
+    Canvas canvas_;
+    Commands commands_;
+    Messages messages_;
+    ModelLoader loader_;
+    FileWatch watch_;
+    std::chrono::steady_clock::time_point looked_at_files_;
+    Mouse mouse_;
+    AnimationPlayer player_;
+    Magnifier magnifier_;
+    Thumbnails thumbnails_;
+    VariablesPanel variables_;
+    Overlay overlay_;
+
+    FrameSize frame_{1280, 720};
+    std::vector<std::string> techniques_;
+    bool scroll_to_technique_ = true;
+    bool shows_help_ = false;
+    bool has_passing_note_ = false;
+    bool asks_where_to_save_ = false;
+    std::string save_path_;
+    double full_milliseconds_ = 0;  // of the last drawing in full detail
+    bool wants_to_close_ = false;
+};
+
+}  // namespace croquis::viewer

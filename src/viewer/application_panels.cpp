@@ -1,0 +1,206 @@
+// Where the viewer's panels stand and what is in them.
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <utility>
+
+#include "viewer/appearance.h"
+#include "viewer/application.h"
+#include "viewer/help_screen.h"
+
+namespace croquis::viewer {
+namespace {
+
+constexpr ImGuiWindowFlags fixed_panel = ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
+                                         ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                                         ImGuiWindowFlags_NoNav;
+
+constexpr std::array sample_counts{1, 4, 9, 16};
+
+}  // namespace
+
+void Application::show_panels(double pixels_a_point) {
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const float line = ImGui::GetFontSize();
+    // A narrow window keeps its middle free.
+    const float left = std::min(15 * line, 0.3f * display.x), right = std::min(21 * line, 0.38f * display.x);
+    if (settings_.shows_panels) {
+        show_technique_panel(left);
+        show_tuning_panel(right);
+        if (player_.has_clips()) show_animation();
+    }
+    if (settings_.shows_overlay) {
+        overlay_.show(display.x - (settings_.shows_panels ? right : 0) - 0.5f * line, 0.5f * line, session_, renderer_,
+                      frame_);
+    }
+    if (loader_.is_reading()) show_reading();
+    if (asks_where_to_save_) show_save_dialogue();
+    has_passing_note_ = messages_.show(ImGui::GetIO().DeltaTime);
+    if (shows_help_) show_help_screen(commands_, shows_help_);
+    magnifier_.show(canvas_, pixels_a_point);
+}
+
+void Application::show_technique_panel(float width) {
+    ImGui::SetNextWindowPos(ImVec2(0, 0));
+    ImGui::SetNextWindowSize(ImVec2(width, ImGui::GetIO().DisplaySize.y));
+    ImGui::Begin("techniques", nullptr, fixed_panel);
+    show_menu();
+    ImGui::BeginChild("list");
+    const auto clicked =
+        show_techniques(techniques_, session_, thumbnails_, std::exchange(scroll_to_technique_, false));
+    if (clicked) {
+        choose_technique(*clicked);
+        scroll_to_technique_ = false;  // it is in sight
+    }
+    ImGui::EndChild();
+    ImGui::End();
+}
+
+// Commands by their groups, and recent models.
+void Application::show_menu() {
+    if (ImGui::Button("menu")) ImGui::OpenPopup("menu");
+    ImGui::SameLine();
+    if (ImGui::Button("help (F1)")) shows_help_ = true;
+    if (!ImGui::BeginPopup("menu")) return;
+    if (ImGui::BeginMenu("Recent models", !settings_.recent_models.empty())) {
+        for (const std::string& model : std::vector(settings_.recent_models)) {
+            if (ImGui::MenuItem(model.c_str())) open(model);
+        }
+        ImGui::EndMenu();
+    }
+    for (const std::string& group : commands_.groups()) {
+        if (!ImGui::BeginMenu(group.c_str())) continue;
+        for (const Command& command : commands_.all()) {
+            if (command.group != group || command.release) continue;  // what is held has a key alone
+            const bool is_on = command.is_on && command.is_on();
+            if (ImGui::MenuItem(command.name.c_str(), command.keys.front().c_str(), is_on)) act(command.run);
+        }
+        ImGui::EndMenu();
+    }
+    ImGui::EndPopup();
+}
+
+void Application::show_tuning_panel(float width) {
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos(ImVec2(display.x - width, 0));
+    ImGui::SetNextWindowSize(ImVec2(width, display.y));
+    ImGui::Begin("tuning", nullptr, fixed_panel);
+    ImGui::TextUnformatted(session_.technique_name().c_str());
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    ImGui::TextWrapped("%s", session_.technique_help().c_str());
+    ImGui::PopStyleColor();
+    if (ImGui::Button("save as technique")) asks_where_to_save_ = true;
+    ImGui::SameLine();
+    if (ImGui::Button("copy command")) commands_.run("Copy the command");
+    ImGui::BeginChild("variables");
+    if (ImGui::CollapsingHeader("view and light")) show_view_settings();
+    if (session_.has_technique()) variables_.show(session_, messages_);
+    ImGui::EndChild();
+    ImGui::End();
+}
+
+void Application::show_view_settings() {
+    const Arrangement& arrangement = std::as_const(session_).arrangement();
+    ImGui::PushID("view");
+    ImGui::TextUnformatted("the mouse moves");
+    int moves = int(settings_.moves);
+    const bool is_other = ImGui::RadioButton("object", &moves, int(Moves::object));
+    ImGui::SameLine();
+    const bool is_camera = ImGui::RadioButton("camera", &moves, int(Moves::camera));
+    ImGui::SameLine();
+    const bool is_light = ImGui::RadioButton("light", &moves, int(Moves::light));
+    if (is_other || is_camera || is_light) settings_.moves = Moves(moves);
+    ImGui::PopID();
+
+    ImGui::PushID("light");
+    ImGui::TextUnformatted("the light stays with");
+    int stays = int(arrangement.light_stays_with());
+    bool is_changed = ImGui::RadioButton("viewer", &stays, int(LightStaysWith::viewer));
+    ImGui::SameLine();
+    is_changed = ImGui::RadioButton("object", &stays, int(LightStaysWith::object)) || is_changed;
+    ImGui::SameLine();
+    is_changed = ImGui::RadioButton("world", &stays, int(LightStaysWith::world)) || is_changed;
+    if (is_changed) session_.arrangement().bind_light(LightStaysWith(stays));
+    ImGui::PopID();
+
+    bool is_parallel = arrangement.is_parallel();
+    if (ImGui::Checkbox("parallel projection", &is_parallel)) session_.arrangement().set_parallel(is_parallel);
+    float degrees = float(arrangement.field_of_view());
+    if (ImGui::SliderFloat("field of view", &degrees, 5, 120, "%.0f°")) {
+        session_.arrangement().set_field_of_view(double(degrees));
+    }
+    if (ImGui::BeginCombo("samples", fmt::format("{}", session_.samples()).c_str())) {
+        for (const int count : sample_counts) {
+            if (ImGui::Selectable(fmt::format("{}", count).c_str(), count == session_.samples())) {
+                session_.set_samples(count);
+            }
+        }
+        ImGui::EndCombo();
+    }
+    bool has_background = session_.background().has_value();
+    std::array<float, 3> color{1, 1, 1};
+    if (has_background) {
+        std::transform(session_.background()->color.begin(), session_.background()->color.end(), color.begin(),
+                       [](double c) { return float(c); });
+    }
+    bool is_other_background = ImGui::Checkbox("background", &has_background);
+    ImGui::SameLine();
+    is_other_background =
+        ImGui::ColorEdit3("##background", color.data(), ImGuiColorEditFlags_NoInputs) || is_other_background;
+    if (is_other_background) {
+        const Background chosen{
+            .color = {double(color[0]), double(color[1]), double(color[2])}, .transparent = false, .texture = {}};
+        session_.set_background(has_background ? std::optional(chosen) : std::nullopt);
+    }
+}
+
+void Application::show_animation() {
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos(ImVec2(0.5f * display.x, 0.5f * ImGui::GetFontSize()), ImGuiCond_Always, ImVec2(0.5f, 0));
+    ImGui::Begin("animation", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNav);
+    if (player_.show()) session_.set_moment(player_.clip(), player_.seconds());
+    ImGui::End();
+}
+
+void Application::show_reading() {
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos(ImVec2(0.5f * display.x, 0.5f * display.y), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
+    ImGui::Begin("reading", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNav);
+    const std::string name = std::filesystem::path(loader_.path()).filename().string();
+    ImGui::Text("reading %s: %.1f s", name.c_str(), loader_.seconds());
+    if (ImGui::Button("cancel")) loader_.cancel();
+    ImGui::End();
+}
+
+void Application::show_save_dialogue() {
+    if (!ImGui::IsPopupOpen("save as technique")) {
+        if (save_path_.empty())
+            save_path_ = "my_" + std::filesystem::path(session_.technique_name()).stem().string() + ".technique";
+        ImGui::OpenPopup("save as technique");
+    }
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos(ImVec2(0.5f * display.x, 0.5f * display.y), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
+    if (!ImGui::BeginPopupModal("save as technique", &asks_where_to_save_, ImGuiWindowFlags_AlwaysAutoResize)) return;
+    ImGui::SetNextItemWidth(26 * ImGui::GetFontSize());
+    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    const bool is_entered = ImGui::InputText("##path", &save_path_, ImGuiInputTextFlags_EnterReturnsTrue);
+    if (ImGui::Button("save") || is_entered) {
+        act([this] {
+            session_.save_technique(save_path_);
+            messages_.note("wrote " + save_path_);
+            asks_where_to_save_ = false;
+        });
+    }
+    ImGui::SameLine();
+    if (ImGui::Button("cancel")) asks_where_to_save_ = false;
+    if (!asks_where_to_save_) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
+}  // namespace croquis::viewer

@@ -1,0 +1,73 @@
+#include "viewer/help_screen.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+
+#include "viewer/appearance.h"
+
+namespace croquis::viewer {
+namespace {
+
+// What the mouse does is no command: it has no key of its own to be looked up.
+struct MouseDeed {
+    const char* deed;
+    const char* what;
+};
+constexpr std::array mouse_deeds{
+    MouseDeed{"drag", "turn what moves; at the rim and beyond it, roll"},
+    MouseDeed{"Ctrl + drag", "roll"},
+    MouseDeed{"Shift + drag, right drag", "pan"},
+    MouseDeed{"wheel", "zoom to the mouse"},
+    MouseDeed{"drop a file", "open a model, a technique, an image as texture of the model"},
+};
+
+void show_row(const std::string& key, const std::string& what, const std::string& more) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextColored(changed_color, "%s", key.c_str());
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(what.c_str());
+    ImGui::TableNextColumn();
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    ImGui::TextWrapped("%s", more.c_str());
+    ImGui::PopStyleColor();
+}
+
+void show_group(const Commands& commands, const std::string& group) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextDisabled("%s", group.c_str());
+    for (const Command& command : commands.all()) {
+        if (command.group != group) continue;
+        show_row(fmt::format("{}", fmt::join(command.keys, ", ")), command.name, command.help);
+    }
+}
+
+}  // namespace
+
+void show_help_screen(const Commands& commands, bool& is_open) {
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const float line = ImGui::GetFontSize();
+    ImGui::SetNextWindowPos(ImVec2(0.5f * display.x, 0.5f * display.y), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
+    ImGui::SetNextWindowSize(ImVec2(std::min(56 * line, 0.95f * display.x), std::min(52 * line, 0.92f * display.y)));
+    ImGui::SetNextWindowFocus();
+    if (ImGui::Begin("Help", &is_open,
+                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize) &&
+        ImGui::BeginTable("keys", 3)) {
+        ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, 13 * line);
+        ImGui::TableSetupColumn("command", ImGuiTableColumnFlags_WidthFixed, 15 * line);
+        ImGui::TableSetupColumn("help", ImGuiTableColumnFlags_WidthStretch);
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ImGui::TextDisabled("Mouse");
+        for (const MouseDeed& deed : mouse_deeds) show_row(deed.deed, deed.what, "");
+        for (const std::string& group : commands.groups()) show_group(commands, group);
+        ImGui::EndTable();
+    }
+    ImGui::End();
+}
+
+}  // namespace croquis::viewer

@@ -1,0 +1,39 @@
+// What the viewer has to tell: mistakes that stay until they are mended, and notes that pass.
+#pragma once
+
+#include <map>
+#include <string>
+
+namespace croquis::viewer {
+
+class Messages {
+public:
+    /// Where a mistake comes from. Each tells one at a time, and none once all is well.
+    enum class Source { files, model, drawing, action };
+
+    void tell(Source source, const std::string& mistake);
+    void mended(Source source) { mistakes_.erase(source); }
+    [[nodiscard]] bool has_mistake(Source source) const { return mistakes_.count(source) > 0; }
+    [[nodiscard]] std::string mistake(Source source) const;
+
+    /// Shown for some seconds: "wrote a.png".
+    void note(const std::string& text);
+
+    /// Shows all of it above the lower edge of the window. True while a note is there that will pass.
+    bool show(float seconds_since_last);
+
+private:
+    struct Mistake {
+        std::string text;
+        std::string excerpt;
+    };
+    std::map<Source, Mistake> mistakes_;
+    std::string note_;
+    float note_seconds_ = 0;
+};
+
+/// The line of the file that a message "FILE:LINE:COLUMN: …" is about, and a caret below the column; empty for a
+/// message without place, or a file that cannot be read.
+[[nodiscard]] std::string excerpt(const std::string& message);
+
+}  // namespace croquis::viewer

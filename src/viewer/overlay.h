@@ -1,0 +1,33 @@
+// What a frame costs: frames a second, milliseconds a pass, how much is drawn and by what; a plot of the last frames.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "croquis/renderer.h"
+#include "viewer/session.h"
+
+namespace croquis::viewer {
+
+class Overlay {
+public:
+    /// A drawing was made and took so long.
+    void add_frame(double milliseconds);
+
+    /// Shows the box, its upper right corner at (x, y). Pass times are measured anew at most twice a second, and only
+    /// after new drawings.
+    void show(float x, float y, Session& session, const Renderer& renderer, FrameSize frame);
+
+private:
+    void measure_passes(Session& session, FrameSize frame);
+
+    static constexpr std::size_t frames_kept = 120;
+    std::array<float, frames_kept> milliseconds_{};
+    std::size_t next_ = 0;
+    long long drawn_ = 0, measured_ = -1;
+    double measured_at_ = -1;
+    std::vector<PassTime> passes_;
+};
+
+}  // namespace croquis::viewer

@@ -1,0 +1,179 @@
+#include "viewer/session.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/error.h"
+#include "base/files.h"
+#include "base/log.h"
+#include "viewer/command_line.h"
+
+namespace croquis::viewer {
+namespace {
+
+// The edges over what is there: its colour and its depth stay.
+constexpr const char* wireframe_pass =
+    "\npass wireframe wireframe_over_all { keep_color true ; keep_depth true ; } ;\n";
+
+View first_view() { return {}; }
+
+}  // namespace
+
+void Session::show(Model model, const std::string& path, const std::string& texture, FrameSize frame) {
+    arrangement_.take(model, first_view(), frame);
+    model_ = std::move(model);
+    small_copy_.reset();
+    model_path_ = path;
+    model_texture_ = texture;
+    animation_.clear();
+    seconds_ = 0;
+    touch();
+}
+
+Session::OpenTechnique Session::open(const std::string& name_or_path) {
+    Technique technique = renderer_.open_technique(name_or_path);
+    if (has_wireframe_) {
+        technique = renderer_.open_technique_text(technique.name(), technique.text() + wireframe_pass);
+    }
+    std::map<std::string, std::string> original;
+    for (const PassVariable& variable : technique.variables()) original[variable.full_name()] = variable.value;
+    return {std::move(technique), std::move(original)};
+}
+
+void Session::choose_technique(const std::string& name_or_path) {
+    if (open_.find(name_or_path) == open_.end()) open_.emplace(name_or_path, open(name_or_path));
+    technique_name_ = name_or_path;
+    touch();
+}
+
+std::vector<PassVariable> Session::variables() const {
+    return has_technique() ? current().technique.variables() : std::vector<PassVariable>();
+}
+
+void Session::set(const std::string& variable, const std::string& value) {
+    current().technique.set(variable, value);
+    touch();
+}
+
+std::string Session::original_value(const std::string& variable) const { return current().original.at(variable); }
+
+bool Session::is_changed(const PassVariable& variable) const {
+    return variable.value != original_value(variable.full_name());
+}
+
+std::map<std::string, std::string> Session::changed_values() const {
+    std::map<std::string, std::string> changed;
+    for (const PassVariable& variable : variables()) {
+        if (is_changed(variable)) changed[variable.full_name()] = variable.value;
+    }
+    return changed;
+}
+
+void Session::reset_all() {
+    for (const auto& [variable, value] : changed_values()) reset(variable);
+}
+
+void Session::save_technique(const std::string& path) const {
+    if (!has_technique()) fail("expected a technique to save, found none");
+    write_file_whole(path, current().technique.text());
+}
+
+void Session::reload() {
+    if (!has_technique()) return;
+    const std::map<std::string, std::string> changed = changed_values();
+    renderer_.reload();
+    OpenTechnique anew = open(technique_name_);
+    for (const auto& [variable, value] : changed) {
+        try {
+            anew.technique.set(variable, value);
+        } catch (const Error& error) {
+            note(fmt::format("not kept over the reload: {}", error.what()));
+        }
+    }
+    open_.clear();
+    open_.emplace(technique_name_, std::move(anew));
+    touch();
+}
+
+void Session::set_wireframe(bool on) {
+    if (on == has_wireframe_) return;
+    has_wireframe_ = on;
+    try {
+        reload();
+    } catch (const Error&) {
+        has_wireframe_ = !on;
+        throw;
+    }
+}
+
+void Session::look_from(const std::string& view, FrameSize frame) {
+    if (!model_) return;
+    View named = View::named(view);
+    named.parallel = arrangement_.is_parallel();
+    named.field_of_view = arrangement_.field_of_view();
+    arrangement_.take(*model_, named, frame);
+    touch();
+}
+
+void Session::set_samples(int samples) {
+    samples_ = samples;
+    touch();
+}
+
+void Session::set_background(std::optional<Background> background) {
+    background_ = std::move(background);
+    touch();
+}
+
+void Session::set_moment(const std::string& animation, double seconds) {
+    animation_ = animation;
+    seconds_ = seconds;
+    touch();
+}
+
+DrawOptions Session::options(FrameSize size) const {
+    DrawOptions options;
+    options.width = size.width;
+    options.height = size.height;
+    options.samples = samples_;
+    options.view = arrangement_.view();
+    options.light = arrangement_.light();
+    options.background = background_;
+    options.animation = animation_;
+    options.time = seconds_;
+    return options;
+}
+
+bool Session::is_stale(FrameSize size, Detail detail) const {
+    if (!model_ || !has_technique()) return false;
+    return drawn_.revision != revision_ || drawn_.size.width != size.width || drawn_.size.height != size.height ||
+           drawn_.detail != detail;
+}
+
+void Session::draw(Canvas& canvas, FrameSize size, Detail detail) {
+    drawn_ = {revision_, size, detail};
+    DrawOptions options = this->options(size);
+    const bool is_reduced = detail == Detail::reduced;
+    if (is_reduced) options.samples = 1;
+    const Model& model = is_reduced ? *small_model() : *model_;
+    renderer_.draw_into(canvas.begin(size), model, current().technique, options);
+    canvas.keep();
+}
+
+std::vector<PassTime> Session::time_passes(FrameSize size) {
+    if (!model_ || !has_technique()) return {};
+    return renderer_.time_passes(*model_, current().technique, options(size));
+}
+
+void Session::save_picture(const std::string& path, FrameSize frame, int scale, bool has_background) {
+    if (!model_ || !has_technique()) fail("expected a model and a technique to draw, found none");
+    DrawOptions options = this->options({frame.width * scale, frame.height * scale});
+    if (!has_background) options.background = Background{.color = {1, 1, 1}, .transparent = true, .texture = {}};
+    renderer_.draw(*model_, current().technique, options).save(path);
+}
+
+std::string Session::command_line(FrameSize frame) const {
+    return render_command(model_path_, model_texture_, technique_name_, changed_values(), options(frame));
+}
+
+}  // namespace croquis::viewer

@@ -1,0 +1,275 @@
+#include "viewer/variables_panel.h"
+
+#include <fmt/format.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/error.h"
+#include "viewer/appearance.h"
+
+namespace croquis::viewer {
+namespace {
+
+constexpr const char* generated = "<generated>:";
+
+// As technique files write numbers, so that a value that is shown and set again is the same.
+std::string text_of(std::span<const float> numbers) { return fmt::format("{}", fmt::join(numbers, " ")); }
+
+std::array<float, 4> floats(const std::vector<double>& numbers) {
+    std::array<float, 4> all{};
+    std::transform(numbers.begin(), numbers.end(), all.begin(), [](double number) { return float(number); });
+    return all;
+}
+
+float clamped(float value, const PassVariable& variable) {
+    if (!variable.minimum.empty()) value = std::max(value, float(variable.minimum.front()));
+    if (!variable.maximum.empty()) value = std::min(value, float(variable.maximum.front()));
+    return value;
+}
+
+// Few digits for large numbers, more for small ones; a slider keeps what it shows.
+const char* format_for(double low, double high) {
+    const double range = high - low;
+    return range > 200 ? "%.0f" : range > 5 ? "%.2f" : range > 0.05 ? "%.3f" : "%.5f";
+}
+
+// A slider over the range of good values where there is one, and a box for any the variable can take.
+bool edit_number(const PassVariable& variable, float& value) {
+    const bool has_slider = !variable.ui_minimum.empty() && !variable.ui_maximum.empty();
+    bool is_changed = false;
+    const float all = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    if (has_slider) {
+        ImGui::SetNextItemWidth(0.66f * all);
+        const float low = float(variable.ui_minimum.front()), high = float(variable.ui_maximum.front());
+        is_changed = ImGui::SliderFloat("##slider", &value, low, high, format_for(low, high));
+        ImGui::SameLine(0, gap);
+    }
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+    is_changed = ImGui::InputFloat("##box", &value, 0, 0, "%g", ImGuiInputTextFlags_EnterReturnsTrue) || is_changed;
+    if (is_changed) value = clamped(value, variable);
+    return is_changed;
+}
+
+bool edit_integer(const PassVariable& variable, int& value) {
+    const bool has_slider = !variable.ui_minimum.empty() && !variable.ui_maximum.empty();
+    bool is_changed = false;
+    if (has_slider) {
+        ImGui::SetNextItemWidth(0.66f * ImGui::GetContentRegionAvail().x);
+        is_changed =
+            ImGui::SliderInt("##slider", &value, int(variable.ui_minimum.front()), int(variable.ui_maximum.front()));
+        ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    }
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+    is_changed = ImGui::InputInt("##box", &value, 0, 0, ImGuiInputTextFlags_EnterReturnsTrue) || is_changed;
+    if (is_changed) value = int(std::lround(clamped(float(value), variable)));
+    return is_changed;
+}
+
+// Each component within its own limits.
+bool edit_vector(const PassVariable& variable, std::array<float, 4>& values) {
+    bool is_changed = false;
+    const std::size_t count = variable.numbers.size();
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float width = (ImGui::GetContentRegionAvail().x - gap * float(count - 1)) / float(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        ImGui::PushID(int(i));
+        if (i > 0) ImGui::SameLine(0, gap);
+        ImGui::SetNextItemWidth(width);
+        const float low = variable.minimum.empty() ? -1e30f : float(variable.minimum[i]);
+        const float high = variable.maximum.empty() ? 1e30f : float(variable.maximum[i]);
+        is_changed =
+            ImGui::DragFloat("##component", &values[i], 0.01f, low, high, "%.3f", ImGuiSliderFlags_AlwaysClamp) ||
+            is_changed;
+        ImGui::PopID();
+    }
+    return is_changed;
+}
+
+bool edit_color(const PassVariable& variable, std::array<float, 4>& values) {
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+    if (variable.numbers.size() == 3) return ImGui::ColorEdit3("##color", values.data());
+    return ImGui::ColorEdit4("##color", values.data(), ImGuiColorEditFlags_AlphaPreviewHalf);
+}
+
+std::string chosen(const PassVariable& variable) {
+    std::string choice = variable.value;
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+    if (!ImGui::BeginCombo("##choices", choice.c_str())) return choice;
+    for (const std::string& word : variable.choices) {
+        if (ImGui::Selectable(word.c_str(), word == variable.value)) choice = word;
+    }
+    ImGui::EndCombo();
+    return choice;
+}
+
+std::string typed(const PassVariable& variable) {
+    std::string text = variable.value;
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+    return ImGui::InputText("##text", &text, ImGuiInputTextFlags_EnterReturnsTrue) ? text : variable.value;
+}
+
+std::string range_text(const std::vector<double>& low, const std::vector<double>& high) {
+    if (low.empty() && high.empty()) return {};
+    if (high.empty()) return fmt::format("\nfrom {:g}", fmt::join(low, " "));
+    if (low.empty()) return fmt::format("\nup to {:g}", fmt::join(high, " "));
+    return fmt::format("\n{:g} to {:g}", fmt::join(low, " "), fmt::join(high, " "));
+}
+
+void show_help(const PassVariable& variable, const std::string& original) {
+    if (!ImGui::IsItemHovered()) return;
+    std::string text = variable.help + range_text(variable.minimum, variable.maximum);
+    if (!variable.unit.empty()) text += " " + variable.unit;
+    text += fmt::format("\nin this technique: {}", original.empty() ? "nothing" : original);
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(24 * ImGui::GetFontSize());
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+// "toon:two_tone:0" without its filter.
+std::string image_of(const std::string& texture) {
+    const std::size_t first = texture.find(':');
+    return texture.substr(0, first == std::string::npos ? first : texture.find(':', first + 1));
+}
+
+void set(Session& session, Messages& messages, const std::string& variable, const std::string& value) {
+    try {
+        session.set(variable, value);
+        messages.mended(Messages::Source::action);
+    } catch (const Error& error) {
+        messages.tell(Messages::Source::action, error.what());
+    }
+}
+
+}  // namespace
+
+void VariablesPanel::forget_textures() {
+    texture_names_.clear();
+    previewed_.clear();
+}
+
+void VariablesPanel::show(Session& session, Messages& messages) {
+    const std::vector<PassVariable> variables = session.variables();
+    for (std::size_t first = 0; first < variables.size();) {
+        show_pass(variables, first, session, messages);
+        const std::string& pass = variables[first].pass;
+        while (first < variables.size() && variables[first].pass == pass) ++first;
+    }
+}
+
+void VariablesPanel::show_pass(const std::vector<PassVariable>& variables, std::size_t first, Session& session,
+                               Messages& messages) {
+    const std::string& pass = variables[first].pass;
+    ImGui::PushID(pass.c_str());
+    const bool is_open = ImGui::CollapsingHeader(pass.c_str(), ImGuiTreeNodeFlags_DefaultOpen);
+    for (std::size_t i = first; is_open && i < variables.size() && variables[i].pass == pass; ++i) {
+        if (!variables[i].internal) show_variable(variables[i], session, messages);
+    }
+    ImGui::PopID();
+}
+
+void VariablesPanel::show_variable(const PassVariable& variable, Session& session, Messages& messages) {
+    ImGui::PushID(variable.name.c_str());
+    const std::string name = variable.full_name();
+    const bool is_changed = session.is_changed(variable);
+    const bool is_switch = variable.type == PassVariable::Type::boolean;
+    if (is_changed) ImGui::PushStyleColor(ImGuiCol_Text, changed_color);
+    std::string value = variable.value;
+    if (is_switch) {
+        bool on = variable.value == "true";
+        ImGui::BeginDisabled(variable.read_only);
+        if (ImGui::Checkbox(variable.name.c_str(), &on)) value = on ? "true" : "false";
+        ImGui::EndDisabled();
+    } else {
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted(variable.name.c_str());
+    }
+    if (is_changed) ImGui::PopStyleColor();
+    show_help(variable, session.original_value(name));
+    if (!is_switch && !variable.unit.empty()) {
+        ImGui::SameLine();
+        ImGui::TextDisabled("%s", variable.unit.c_str());
+    }
+    if (is_changed && !variable.read_only) {
+        ImGui::SameLine();
+        if (ImGui::SmallButton("reset")) value = session.original_value(name);
+    }
+    if (!is_switch) {
+        ImGui::BeginDisabled(variable.read_only);
+        const std::string changed = edited(variable);
+        if (changed != variable.value) value = changed;
+        ImGui::EndDisabled();
+    }
+    if (value != variable.value) set(session, messages, name, value);
+    ImGui::PopID();
+}
+
+// The value that the widget leaves; the variable's own where nobody touched it.
+std::string VariablesPanel::edited(const PassVariable& variable) {
+    std::array<float, 4> values = floats(variable.numbers);
+    switch (variable.type) {
+        case PassVariable::Type::integer: {
+            int value = int(std::lround(values[0]));
+            return edit_integer(variable, value) ? fmt::format("{}", value) : variable.value;
+        }
+        case PassVariable::Type::number:
+            return edit_number(variable, values[0]) ? text_of(std::span(values).first(1)) : variable.value;
+        case PassVariable::Type::vector:
+            return edit_vector(variable, values) ? text_of(std::span(values).first(variable.numbers.size()))
+                                                 : variable.value;
+        case PassVariable::Type::color:
+            return edit_color(variable, values) ? text_of(std::span(values).first(variable.numbers.size()))
+                                                : variable.value;
+        case PassVariable::Type::texture:
+            return chosen_texture(variable);
+        case PassVariable::Type::text:
+            return variable.choices.empty() ? typed(variable) : chosen(variable);
+        case PassVariable::Type::boolean:
+            break;
+    }
+    return variable.value;
+}
+
+// Images of the data folders with previews. A texture that an earlier pass generates has no other to choose from.
+std::string VariablesPanel::chosen_texture(const PassVariable& variable) {
+    std::string choice = variable.value;
+    const ImVec2 preview(2 * ImGui::GetFontSize(), ImGui::GetFontSize());
+    if (!choice.empty() && !choice.starts_with(generated)) {
+        show_preview(image_of(choice));
+        ImGui::SameLine();
+    }
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+    if (!ImGui::BeginCombo("##textures", choice.c_str())) return choice;
+    if (texture_names_.empty()) texture_names_ = renderer_.texture_names();
+    const std::string now = image_of(variable.value);
+    const std::string filter = variable.value.substr(std::min(now.size(), variable.value.size()));
+    for (const std::string& name : texture_names_) {
+        if (ImGui::IsRectVisible(ImVec2(1, preview.y)))
+            show_preview(name);
+        else
+            ImGui::Dummy(preview);
+        ImGui::SameLine();
+        // The filter that the technique chose goes with the place and not with the image.
+        if (ImGui::Selectable(name.c_str(), name == now)) choice = name + filter;
+    }
+    ImGui::EndCombo();
+    return choice;
+}
+
+void VariablesPanel::show_preview(const std::string& texture) {
+    if (std::find(previewed_.begin(), previewed_.end(), texture) == previewed_.end()) {
+        previewed_.push_back(texture);
+        try {
+            previews_.put(texture, renderer_.texture(texture));
+        } catch (const Error&) {
+            // What cannot be shown can still be chosen, and is told then.
+        }
+    }
+    previews_.show(texture, ImVec2(2 * ImGui::GetFontSize(), ImGui::GetFontSize()));
+}
+
+}  // namespace croquis::viewer
