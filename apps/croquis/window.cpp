@@ -144,6 +144,7 @@ void Window::draw_frame(viewer::Application& application) {
     ImGui::NewFrame();
     application.frame({pixels.width, pixels.height});
     ImGui::Render();
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);  // the application drew to its own
     glViewport(0, 0, pixels.width, pixels.height);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     glfwSwapBuffers(window_);

@@ -27,7 +27,7 @@ void Application::show_panels(double pixels_a_point) {
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float line = ImGui::GetFontSize();
     // A narrow window keeps its middle free.
-    const float left = std::min(15 * line, 0.3f * display.x), right = std::min(21 * line, 0.38f * display.x);
+    const float left = std::min(17 * line, 0.3f * display.x), right = std::min(23 * line, 0.38f * display.x);
     if (settings_.shows_panels) {
         show_technique_panel(left);
         show_tuning_panel(right);

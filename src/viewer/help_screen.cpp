@@ -14,14 +14,15 @@ namespace {
 // What the mouse does is no command: it has no key of its own to be looked up.
 struct MouseDeed {
     const char* deed;
-    const char* what;
+    const char* name;
+    const char* help;
 };
 constexpr std::array mouse_deeds{
-    MouseDeed{"drag", "turn what moves; at the rim and beyond it, roll"},
-    MouseDeed{"Ctrl + drag", "roll"},
-    MouseDeed{"Shift + drag, right drag", "pan"},
-    MouseDeed{"wheel", "zoom to the mouse"},
-    MouseDeed{"drop a file", "open a model, a technique, an image as texture of the model"},
+    MouseDeed{"drag", "Turn", "Turns what moves: a point of a sphere around the object follows the mouse."},
+    MouseDeed{"Ctrl+drag", "Roll", "Turns about the line of sight, as dragging beside the object does."},
+    MouseDeed{"Shift+drag, right drag", "Pan", "Moves across the line of sight."},
+    MouseDeed{"wheel", "Zoom", "What is under the mouse stays under it."},
+    MouseDeed{"drop a file", "Open", "A model, a technique, or an image as texture of the model."},
 };
 
 void show_row(const std::string& key, const std::string& what, const std::string& more) {
@@ -52,18 +53,19 @@ void show_help_screen(const Commands& commands, bool& is_open) {
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float line = ImGui::GetFontSize();
     ImGui::SetNextWindowPos(ImVec2(0.5f * display.x, 0.5f * display.y), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
-    ImGui::SetNextWindowSize(ImVec2(std::min(56 * line, 0.95f * display.x), std::min(52 * line, 0.92f * display.y)));
+    ImGui::SetNextWindowSize(ImVec2(std::min(62 * line, 0.95f * display.x), std::min(52 * line, 0.92f * display.y)));
     ImGui::SetNextWindowFocus();
+    ImGui::SetNextWindowBgAlpha(1);
     if (ImGui::Begin("Help", &is_open,
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize) &&
         ImGui::BeginTable("keys", 3)) {
-        ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, 13 * line);
-        ImGui::TableSetupColumn("command", ImGuiTableColumnFlags_WidthFixed, 15 * line);
+        ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, 12 * line);
+        ImGui::TableSetupColumn("command", ImGuiTableColumnFlags_WidthFixed, 14 * line);
         ImGui::TableSetupColumn("help", ImGuiTableColumnFlags_WidthStretch);
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         ImGui::TextDisabled("Mouse");
-        for (const MouseDeed& deed : mouse_deeds) show_row(deed.deed, deed.what, "");
+        for (const MouseDeed& deed : mouse_deeds) show_row(deed.deed, deed.name, deed.help);
         for (const std::string& group : commands.groups()) show_group(commands, group);
         ImGui::EndTable();
     }

@@ -78,16 +78,14 @@ void Session::save_technique(const std::string& path) const {
     write_file_whole(path, current().technique.text());
 }
 
-void Session::reload() {
-    if (!has_technique()) return;
+void Session::reopen() {
     const std::map<std::string, std::string> changed = changed_values();
-    renderer_.reload();
     OpenTechnique anew = open(technique_name_);
     for (const auto& [variable, value] : changed) {
         try {
             anew.technique.set(variable, value);
         } catch (const Error& error) {
-            note(fmt::format("not kept over the reload: {}", error.what()));
+            note(fmt::format("not kept: {}", error.what()));
         }
     }
     open_.clear();
@@ -95,11 +93,16 @@ void Session::reload() {
     touch();
 }
 
+void Session::reload() {
+    renderer_.reload();
+    if (has_technique()) reopen();
+}
+
 void Session::set_wireframe(bool on) {
-    if (on == has_wireframe_) return;
+    if (on == has_wireframe_ || !has_technique()) return;
     has_wireframe_ = on;
     try {
-        reload();
+        reopen();
     } catch (const Error&) {
         has_wireframe_ = !on;
         throw;

@@ -102,6 +102,7 @@ private:
     [[nodiscard]] OpenTechnique& current() { return open_.at(technique_name_); }
     [[nodiscard]] const OpenTechnique& current() const { return open_.at(technique_name_); }
     [[nodiscard]] std::map<std::string, std::string> changed_values() const;
+    void reopen();
     void touch() { ++revision_; }
 
     Renderer& renderer_;

@@ -36,44 +36,52 @@ const char* format_for(double low, double high) {
     return range > 200 ? "%.0f" : range > 5 ? "%.2f" : range > 0.05 ? "%.3f" : "%.5f";
 }
 
+constexpr float share_of_slider = 0.6f;
+
+// The number box stands beside its slider; what is left for it.
+float beside_slider(float width) {
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    ImGui::SameLine(0, gap);
+    return (1 - share_of_slider) * width - gap;
+}
+
 // A slider over the range of good values where there is one, and a box for any the variable can take.
-bool edit_number(const PassVariable& variable, float& value) {
+bool edit_number(const PassVariable& variable, float width, float& value) {
     const bool has_slider = !variable.ui_minimum.empty() && !variable.ui_maximum.empty();
     bool is_changed = false;
-    const float all = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemInnerSpacing.x;
     if (has_slider) {
-        ImGui::SetNextItemWidth(0.66f * all);
         const float low = float(variable.ui_minimum.front()), high = float(variable.ui_maximum.front());
+        ImGui::SetNextItemWidth(share_of_slider * width);
         is_changed = ImGui::SliderFloat("##slider", &value, low, high, format_for(low, high));
-        ImGui::SameLine(0, gap);
+        width = beside_slider(width);
     }
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+    ImGui::SetNextItemWidth(width);
     is_changed = ImGui::InputFloat("##box", &value, 0, 0, "%g", ImGuiInputTextFlags_EnterReturnsTrue) || is_changed;
     if (is_changed) value = clamped(value, variable);
     return is_changed;
 }
 
-bool edit_integer(const PassVariable& variable, int& value) {
+bool edit_integer(const PassVariable& variable, float width, int& value) {
     const bool has_slider = !variable.ui_minimum.empty() && !variable.ui_maximum.empty();
     bool is_changed = false;
     if (has_slider) {
-        ImGui::SetNextItemWidth(0.66f * ImGui::GetContentRegionAvail().x);
-        is_changed =
-            ImGui::SliderInt("##slider", &value, int(variable.ui_minimum.front()), int(variable.ui_maximum.front()));
-        ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+        const int low = int(variable.ui_minimum.front()), high = int(variable.ui_maximum.front());
+        ImGui::SetNextItemWidth(share_of_slider * width);
+        is_changed = ImGui::SliderInt("##slider", &value, low, high);
+        width = beside_slider(width);
     }
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+    ImGui::SetNextItemWidth(width);
     is_changed = ImGui::InputInt("##box", &value, 0, 0, ImGuiInputTextFlags_EnterReturnsTrue) || is_changed;
     if (is_changed) value = int(std::lround(clamped(float(value), variable)));
     return is_changed;
 }
 
 // Each component within its own limits.
-bool edit_vector(const PassVariable& variable, std::array<float, 4>& values) {
+bool edit_vector(const PassVariable& variable, float all, std::array<float, 4>& values) {
     bool is_changed = false;
     const std::size_t count = variable.numbers.size();
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    const float width = (ImGui::GetContentRegionAvail().x - gap * float(count - 1)) / float(count);
+    const float width = (all - gap * float(count - 1)) / float(count);
     for (std::size_t i = 0; i < count; ++i) {
         ImGui::PushID(int(i));
         if (i > 0) ImGui::SameLine(0, gap);
@@ -88,15 +96,15 @@ bool edit_vector(const PassVariable& variable, std::array<float, 4>& values) {
     return is_changed;
 }
 
-bool edit_color(const PassVariable& variable, std::array<float, 4>& values) {
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+bool edit_color(const PassVariable& variable, float width, std::array<float, 4>& values) {
+    ImGui::SetNextItemWidth(width);
     if (variable.numbers.size() == 3) return ImGui::ColorEdit3("##color", values.data());
     return ImGui::ColorEdit4("##color", values.data(), ImGuiColorEditFlags_AlphaPreviewHalf);
 }
 
-std::string chosen(const PassVariable& variable) {
+std::string chosen(const PassVariable& variable, float width) {
     std::string choice = variable.value;
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+    ImGui::SetNextItemWidth(width);
     if (!ImGui::BeginCombo("##choices", choice.c_str())) return choice;
     for (const std::string& word : variable.choices) {
         if (ImGui::Selectable(word.c_str(), word == variable.value)) choice = word;
@@ -105,9 +113,14 @@ std::string chosen(const PassVariable& variable) {
     return choice;
 }
 
-std::string typed(const PassVariable& variable) {
+std::string switched(const PassVariable& variable) {
+    bool on = variable.value == "true";
+    return ImGui::Checkbox("##switch", &on) ? (on ? "true" : "false") : variable.value;
+}
+
+std::string typed(const PassVariable& variable, float width) {
     std::string text = variable.value;
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+    ImGui::SetNextItemWidth(width);
     return ImGui::InputText("##text", &text, ImGuiInputTextFlags_EnterReturnsTrue) ? text : variable.value;
 }
 
@@ -172,39 +185,38 @@ void VariablesPanel::show_pass(const std::vector<PassVariable>& variables, std::
     ImGui::PopID();
 }
 
+// One row: the name, the widget, and where the value was changed a way back.
 void VariablesPanel::show_variable(const PassVariable& variable, Session& session, Messages& messages) {
     ImGui::PushID(variable.name.c_str());
-    const std::string name = variable.full_name();
+    constexpr float share_of_names = 0.42f;
+    const std::string original = session.original_value(variable.full_name());
     const bool is_changed = session.is_changed(variable);
-    const bool is_switch = variable.type == PassVariable::Type::boolean;
-    if (is_changed) ImGui::PushStyleColor(ImGuiCol_Text, changed_color);
-    std::string value = variable.value;
-    if (is_switch) {
-        bool on = variable.value == "true";
-        ImGui::BeginDisabled(variable.read_only);
-        if (ImGui::Checkbox(variable.name.c_str(), &on)) value = on ? "true" : "false";
-        ImGui::EndDisabled();
-    } else {
-        ImGui::AlignTextToFramePadding();
-        ImGui::TextUnformatted(variable.name.c_str());
-    }
-    if (is_changed) ImGui::PopStyleColor();
-    show_help(variable, session.original_value(name));
-    if (!is_switch && !variable.unit.empty()) {
+    const float all = ImGui::GetContentRegionAvail().x, begin = ImGui::GetCursorPosX();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextColored(is_changed ? changed_color : ImGui::GetStyleColorVec4(ImGuiCol_Text), "%s",
+                       variable.name.c_str());
+    show_help(variable, original);
+    ImGui::SameLine();
+    const float widgets = begin + share_of_names * all, name_end = ImGui::GetCursorPosX();
+    if (name_end + ImGui::CalcTextSize(variable.unit.c_str()).x < widgets) {
+        ImGui::TextDisabled("%s", variable.unit.c_str());  // else the help tells it
         ImGui::SameLine();
-        ImGui::TextDisabled("%s", variable.unit.c_str());
     }
-    if (is_changed && !variable.read_only) {
-        ImGui::SameLine();
-        if (ImGui::SmallButton("reset")) value = session.original_value(name);
+    if (name_end > widgets) ImGui::NewLine();
+    ImGui::SetCursorPosX(widgets);
+    const float undo = ImGui::CalcTextSize("undo").x + 2 * ImGui::GetStyle().FramePadding.x;
+    const bool has_undo = is_changed && !variable.read_only;
+    width_ = (1 - share_of_names) * all - (has_undo ? undo + ImGui::GetStyle().ItemInnerSpacing.x : 0);
+    ImGui::BeginDisabled(variable.read_only);
+    ImGui::BeginGroup();
+    std::string value = edited(variable);
+    ImGui::EndGroup();
+    ImGui::EndDisabled();
+    if (has_undo) {
+        ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+        if (ImGui::Button("undo")) value = original;
     }
-    if (!is_switch) {
-        ImGui::BeginDisabled(variable.read_only);
-        const std::string changed = edited(variable);
-        if (changed != variable.value) value = changed;
-        ImGui::EndDisabled();
-    }
-    if (value != variable.value) set(session, messages, name, value);
+    if (value != variable.value) set(session, messages, variable.full_name(), value);
     ImGui::PopID();
 }
 
@@ -214,22 +226,22 @@ std::string VariablesPanel::edited(const PassVariable& variable) {
     switch (variable.type) {
         case PassVariable::Type::integer: {
             int value = int(std::lround(values[0]));
-            return edit_integer(variable, value) ? fmt::format("{}", value) : variable.value;
+            return edit_integer(variable, width_, value) ? fmt::format("{}", value) : variable.value;
         }
         case PassVariable::Type::number:
-            return edit_number(variable, values[0]) ? text_of(std::span(values).first(1)) : variable.value;
+            return edit_number(variable, width_, values[0]) ? text_of(std::span(values).first(1)) : variable.value;
         case PassVariable::Type::vector:
-            return edit_vector(variable, values) ? text_of(std::span(values).first(variable.numbers.size()))
-                                                 : variable.value;
+            return edit_vector(variable, width_, values) ? text_of(std::span(values).first(variable.numbers.size()))
+                                                         : variable.value;
         case PassVariable::Type::color:
-            return edit_color(variable, values) ? text_of(std::span(values).first(variable.numbers.size()))
-                                                : variable.value;
+            return edit_color(variable, width_, values) ? text_of(std::span(values).first(variable.numbers.size()))
+                                                        : variable.value;
         case PassVariable::Type::texture:
             return chosen_texture(variable);
         case PassVariable::Type::text:
-            return variable.choices.empty() ? typed(variable) : chosen(variable);
+            return variable.choices.empty() ? typed(variable, width_) : chosen(variable, width_);
         case PassVariable::Type::boolean:
-            break;
+            return switched(variable);
     }
     return variable.value;
 }
@@ -238,11 +250,13 @@ std::string VariablesPanel::edited(const PassVariable& variable) {
 std::string VariablesPanel::chosen_texture(const PassVariable& variable) {
     std::string choice = variable.value;
     const ImVec2 preview(2 * ImGui::GetFontSize(), ImGui::GetFontSize());
+    float width = width_;
     if (!choice.empty() && !choice.starts_with(generated)) {
         show_preview(image_of(choice));
-        ImGui::SameLine();
+        ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+        width -= preview.x + ImGui::GetStyle().ItemInnerSpacing.x;
     }
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+    ImGui::SetNextItemWidth(width);
     if (!ImGui::BeginCombo("##textures", choice.c_str())) return choice;
     if (texture_names_.empty()) texture_names_ = renderer_.texture_names();
     const std::string now = image_of(variable.value);

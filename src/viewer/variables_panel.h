@@ -32,6 +32,7 @@ private:
     PictureTextures previews_;
     std::vector<std::string> previewed_;  // also those that failed
     std::vector<std::string> texture_names_;
+    float width_ = 0;  // of the widget that is shown next
 };
 
 }  // namespace croquis::viewer
