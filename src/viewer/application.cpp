@@ -152,7 +152,8 @@ void Application::take_arrival(ModelLoader::Arrival arrival) {
     if (arrival.model) {
         messages_.mended(Messages::Source::model);
         player_.take(arrival.model->animations());
-        session_.show(*arrival.model, arrival.path, arrival.texture, frame_);
+        session_.show(*arrival.model, arrival.path, arrival.texture);
+        look_at_whole(View());
         settings_.remember_model(fs::absolute(arrival.path).string());
         thumbnails_.restart();
     }
@@ -160,6 +161,7 @@ void Application::take_arrival(ModelLoader::Arrival arrival) {
 }
 
 bool Application::poll() {
+    if (frame_.width == 0) return true;  // a model is seen in a frame
     bool is_due = false;
     if (auto arrival = loader_.take()) {
         take_arrival(std::move(*arrival));
@@ -189,10 +191,20 @@ Detail Application::detail() const {
     return is_moving() && is_slow ? Detail::reduced : Detail::full;
 }
 
-void Application::move_by_mouse(double pixels_a_point) {
+// The model at rest, whole, in the part of the frame that the panels leave free.
+void Application::look_at_whole(View view) {
+    if (session_.model() == nullptr) return;
+    const double left = settings_.shows_panels ? double(left_) * pixels_a_point_ : 0;
+    const double right = settings_.shows_panels ? double(right_) * pixels_a_point_ : 0;
+    const int width = std::max(1, frame_.width - int(left + right));
+    session_.arrangement().take(*session_.model(), view, {width, frame_.height});
+    session_.arrangement().pan(Moves::camera, {0.5 * (right - left), 0}, frame_);
+}
+
+void Application::move_by_mouse() {
     const ImGuiIO& io = ImGui::GetIO();
     const bool is_over_drawing = !io.WantCaptureMouse && ImGui::IsMousePosValid();
-    MouseState mouse{.position = glm::dvec2(io.MousePos.x, io.MousePos.y) * pixels_a_point,
+    MouseState mouse{.position = glm::dvec2(io.MousePos.x, io.MousePos.y) * pixels_a_point_,
                      .is_over_drawing = is_over_drawing,
                      .turns = io.MouseDown[0] && !io.KeyShift && !io.KeyCtrl,
                      .pans = io.MouseDown[1] || io.MouseDown[2] || (io.MouseDown[0] && io.KeyShift),
@@ -229,24 +241,24 @@ void Application::draw_thumbnail() {
 
 void Application::frame(FrameSize pixels) {
     const ImGuiIO& io = ImGui::GetIO();
-    const double pixels_a_point = double(pixels.width) / double(io.DisplaySize.x);
+    pixels_a_point_ = double(pixels.width) / double(io.DisplaySize.x);
     frame_ = pixels;
     if (player_.is_playing()) {
         player_.advance(double(io.DeltaTime));
         session_.set_moment(player_.clip(), player_.seconds());
     }
-    move_by_mouse(pixels_a_point);
+    move_by_mouse();
     draw_picture();
     ImGui::GetBackgroundDrawList()->AddImage(texture_id(canvas_.texture()), ImVec2(0, 0), io.DisplaySize, ImVec2(0, 1),
                                              ImVec2(1, 0));
-    show_panels(pixels_a_point);
+    show_panels();
     draw_thumbnail();
 }
 
 void Application::save_picture(bool has_background) {
     const std::string stem = fs::path(session_.model_path()).stem().string();
     const std::string path = unused_name(stem.empty() ? "drawing" : stem, ".png");
-    session_.save_picture(path, frame_, 1, has_background);
+    session_.save_picture(path, frame_, picture_scale_, has_background);
     messages_.note("wrote " + path);
 }
 

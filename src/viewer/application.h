@@ -71,14 +71,15 @@ private:
     void save_picture(bool has_background);
     void paste_camera();
 
-    void move_by_mouse(double pixels_a_point);
+    void look_at_whole(View view);
+    void move_by_mouse();
     void draw_picture();
     void draw_thumbnail();
     [[nodiscard]] bool is_moving() const;
     [[nodiscard]] Detail detail() const;
 
     // application_panels.cpp
-    void show_panels(double pixels_a_point);
+    void show_panels();
     void show_technique_panel(float width);
     void show_tuning_panel(float width);
     void show_view_settings();
@@ -103,7 +104,9 @@ private:
     VariablesPanel variables_;
     Overlay overlay_;
 
-    FrameSize frame_{1280, 720};
+    FrameSize frame_{0, 0};  // in pixels; nothing before the first frame
+    double pixels_a_point_ = 1;
+    float left_ = 0, right_ = 0;  // widths of the panels, in points
     std::vector<std::string> techniques_;
     bool scroll_to_technique_ = true;
     bool shows_help_ = false;
@@ -111,6 +114,7 @@ private:
     bool asks_where_to_save_ = false;
     std::string save_path_;
     double full_milliseconds_ = 0;  // of the last drawing in full detail
+    int picture_scale_ = 1;         // of pictures that are written
     bool wants_to_close_ = false;
 };
 

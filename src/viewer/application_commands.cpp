@@ -69,11 +69,16 @@ void Application::add_motion_commands() {
                        fmt::format("View {}", views[i]),
                        {fmt::format("{}", i + 1)},
                        "The whole model at rest from this side.",
-                       [this, view = views[i]] { session_.look_from(view, frame_); }});
+                       [this, name = views[i]] {
+                           View view = View::named(name);
+                           const Arrangement& arrangement = std::as_const(session_).arrangement();
+                           view.parallel = arrangement.is_parallel();
+                           view.field_of_view = arrangement.field_of_view();
+                           look_at_whole(view);
+                       }});
     }
-    commands_.add({"Looking", "First view", {"R", "Home"}, "As a model is seen first.", [this] {
-                       if (const Model* model = session_.model()) session_.arrangement().take(*model, View(), frame_);
-                   }});
+    commands_.add(
+        {"Looking", "First view", {"R", "Home"}, "As a model is seen first.", [this] { look_at_whole(View()); }});
     commands_.add({"Looking",
                    "Parallel",
                    {"P"},

@@ -23,25 +23,26 @@ constexpr std::array sample_counts{1, 4, 9, 16};
 
 }  // namespace
 
-void Application::show_panels(double pixels_a_point) {
+void Application::show_panels() {
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float line = ImGui::GetFontSize();
     // A narrow window keeps its middle free.
-    const float left = std::min(17 * line, 0.3f * display.x), right = std::min(23 * line, 0.38f * display.x);
+    left_ = std::min(17 * line, 0.3f * display.x);
+    right_ = std::min(23 * line, 0.38f * display.x);
     if (settings_.shows_panels) {
-        show_technique_panel(left);
-        show_tuning_panel(right);
+        show_technique_panel(left_);
+        show_tuning_panel(right_);
         if (player_.has_clips()) show_animation();
     }
     if (settings_.shows_overlay) {
-        overlay_.show(display.x - (settings_.shows_panels ? right : 0) - 0.5f * line, 0.5f * line, session_, renderer_,
+        overlay_.show(display.x - (settings_.shows_panels ? right_ : 0) - 0.5f * line, 0.5f * line, session_, renderer_,
                       frame_);
     }
     if (loader_.is_reading()) show_reading();
     if (asks_where_to_save_) show_save_dialogue();
     has_passing_note_ = messages_.show(ImGui::GetIO().DeltaTime);
     if (shows_help_) show_help_screen(commands_, shows_help_);
-    magnifier_.show(canvas_, pixels_a_point);
+    magnifier_.show(canvas_, pixels_a_point_);
 }
 
 void Application::show_technique_panel(float width) {
@@ -141,6 +142,7 @@ void Application::show_view_settings() {
         }
         ImGui::EndCombo();
     }
+    ImGui::SliderInt("picture scale", &picture_scale_, 1, 8, "%d x");
     bool has_background = session_.background().has_value();
     std::array<float, 3> color{1, 1, 1};
     if (has_background) {

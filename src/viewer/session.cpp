@@ -15,12 +15,9 @@ namespace {
 constexpr const char* wireframe_pass =
     "\npass wireframe wireframe_over_all { keep_color true ; keep_depth true ; } ;\n";
 
-View first_view() { return {}; }
-
 }  // namespace
 
-void Session::show(Model model, const std::string& path, const std::string& texture, FrameSize frame) {
-    arrangement_.take(model, first_view(), frame);
+void Session::show(Model model, const std::string& path, const std::string& texture) {
     model_ = std::move(model);
     small_copy_.reset();
     model_path_ = path;
@@ -107,15 +104,6 @@ void Session::set_wireframe(bool on) {
         has_wireframe_ = !on;
         throw;
     }
-}
-
-void Session::look_from(const std::string& view, FrameSize frame) {
-    if (!model_) return;
-    View named = View::named(view);
-    named.parallel = arrangement_.is_parallel();
-    named.field_of_view = arrangement_.field_of_view();
-    arrangement_.take(*model_, named, frame);
-    touch();
 }
 
 void Session::set_samples(int samples) {

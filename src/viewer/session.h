@@ -21,8 +21,8 @@ public:
 
     // ---- The model
 
-    /// Shows another model, seen from where models are seen first.
-    void show(Model model, const std::string& path, const std::string& texture, FrameSize frame);
+    /// Shows another model, at rest. Where it is seen from is for the arrangement to say.
+    void show(Model model, const std::string& path, const std::string& texture);
     /// A copy of fewer triangles of the model that is shown, for Detail::reduced and for small pictures.
     void take_small_copy(Model copy) { small_copy_ = std::move(copy); }
     [[nodiscard]] const Model* model() const { return model_ ? &*model_ : nullptr; }
@@ -67,9 +67,6 @@ public:
         return arrangement_;
     }
     [[nodiscard]] const Arrangement& arrangement() const { return arrangement_; }
-    /// The model at rest, whole, from a direction of View::named; nothing for no model.
-    void look_from(const std::string& view, FrameSize frame);
-
     void set_samples(int samples);
     [[nodiscard]] int samples() const { return samples_; }
     void set_background(std::optional<Background> background);

@@ -47,6 +47,8 @@ class WindowTest(ProgramTest):
         self.assertIn("teapot.obj", remembered)
 
     def test_the_first_picture_is_what_render_draws(self):
+        """Without panels, for else the model is moved to where they leave it free."""
+        self.write("viewer.toml", "shows_panels = false\n")
         with self.open_window(MODELS / "teapot.obj", "-t", "cartoon") as window:
             window.wait_until_idle()
             window.key("F12")

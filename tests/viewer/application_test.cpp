@@ -47,6 +47,7 @@ protected:
         settings.shows_panels = false;
         settings.samples = 1;
         application_ = std::make_unique<Application>(*renderer_, settings);
+        frames();
     }
     ~ApplicationTest() override {
         application_.reset();
@@ -352,6 +353,25 @@ TEST_F(ApplicationTest, ThumbnailsAreDrawnOneAFrameUntilAllThatAreSeenAreThere) 
     EXPECT_TRUE(application_->wants_frames());
     for (int i = 0; application_->wants_frames() && i < 100; ++i) frames();
     EXPECT_FALSE(application_->wants_frames());
+}
+
+TEST_F(ApplicationTest, AModelIsSeenBetweenThePanels) {
+    application_->press("Tab");
+    frames(3);
+    open_cube();
+    const Picture picture = shown();
+    int first = frame_size.width, last = 0;
+    for (int x = 0; x < frame_size.width; ++x) {
+        for (int y = 0; y < frame_size.height; ++y) {
+            if (picture.pixels()[std::size_t(y * frame_size.width + x) * 4] == 255) continue;
+            first = std::min(first, x);
+            last = std::max(last, x);
+        }
+    }
+    const int left = int(0.3 * frame_size.width), right = int((1 - 0.38) * frame_size.width);  // of a narrow window
+    EXPECT_GE(first, left);
+    EXPECT_LE(last, right);
+    EXPECT_NEAR(first - left, right - last, 3);
 }
 
 TEST_F(ApplicationTest, AFrameOfOnePixelIsDrawn) {
