@@ -24,8 +24,9 @@ MAY_USE = {
     "output": {"base", "image", "lines"},
     "api": {"base", "model", "image", "lines", "gpu", "framework", "components", "output", "croquis"},
     "bench": {"base", "output", "croquis"},
+    "viewer": {"base", "gpu", "croquis"},
 }
-APPS_MAY_USE = {"croquis", "bench", "framework", "base"}
+APPS_MAY_USE = {"croquis", "bench", "viewer", "framework", "base"}
 # Below the API, one public header is known: the error that everything throws.
 PUBLIC_HEADERS_OF_BASE = {"croquis/error.h"}
 
@@ -65,7 +66,9 @@ def wrong_back_end(path, name):
         return None
     if GL_HEADER.match(name) and path.parts[:2] != ("src", "gpu"):
         return "only src/gpu knows OpenGL's headers"
-    if WINDOW_HEADER.search(name):
+    if path.parts[:2] == ("src", "viewer") and name.startswith("imgui"):
+        return None  # the viewer's panels; its window stands in apps
+    if WINDOW_HEADER.search(name) and not (path.parts[:2] == ("src", "viewer") and name.startswith("viewer/")):
         return "the library knows no window and no viewer"
     return None
 
@@ -117,9 +120,13 @@ SELF_TEST = [
     ("src/api/a.cpp", '#include "croquis/view.h"\n#include "output/png.h"', None),
     ("src/bench/a.cpp", '#include "croquis/renderer.h"\n#include "output/line_plot.h"', None),
     ("src/bench/a.cpp", '#include "framework/scene.h"', "bench may use base, croquis, output only"),
+    ("src/viewer/a.cpp", '#include <imgui.h>\n#include "viewer/session.h"\n#include "croquis/renderer.h"', None),
+    ("src/viewer/a.cpp", "#include <GLFW/glfw3.h>", "the library knows no window and no viewer"),
+    ("src/viewer/a.cpp", "#include <backends/imgui_impl_glfw.h>", "the library knows no window and no viewer"),
+    ("src/viewer/a.cpp", '#include "framework/scene.h"', "viewer may use base, croquis, gpu only"),
     ("src/odd/a.cpp", '#include "base/error.h"', "the folder src/odd has no place in the design"),
     ("apps/croquis/a.cpp", '#include "commands.h"\n#include "framework/library.h"\n#include "croquis/view.h"', None),
-    ("apps/croquis/a.cpp", '#include "gpu/context.h"', "apps may use base, bench, croquis, framework only"),
+    ("apps/croquis/a.cpp", '#include "gpu/context.h"', "apps may use base, bench, croquis, framework, viewer only"),
     ("include/croquis/a.h", '#include "croquis/error.h"\n// OpenGL, as glClear does\n#include <string>', None),
     ("include/croquis/a.h", '#include "base/error.h"', "a public header includes public headers only"),
     ("include/croquis/a.h", "#include <epoxy/gl.h>", "only src/gpu knows OpenGL's headers"),

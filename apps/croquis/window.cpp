@@ -107,12 +107,16 @@ void Window::listen() {
     glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double, double) { of(window); });
     glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int, int, int) { of(window); });
     glfwSetScrollCallback(window_, [](GLFWwindow* window, double, double) { of(window); });
-    glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned) { of(window); });
+    glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned) {
+        if (ImGui::GetIO().WantTextInput) of(window);
+    });
     glfwSetCursorEnterCallback(window_, [](GLFWwindow* window, int) { of(window); });
     glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int) { of(window); });
     glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) { of(window); });
     glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* window, int, int) { of(window); });
     glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int scancode, int action, int modifiers) {
+        // A key that is only still held changes nothing, but for a text that is being typed.
+        if (action == GLFW_REPEAT && !ImGui::GetIO().WantTextInput) return;
         Window& self = of(window);
         if (self.application_ == nullptr || ImGui::GetIO().WantTextInput) return;
         const std::string name = name_of_key(key, scancode);

@@ -35,9 +35,10 @@ void set_appearance(float scale) {
     add_font(fixed_font, font_pixels * scale);
     ImGuiStyle style;
     ImGui::StyleColorsDark(&style);
-    style.WindowRounding = style.FrameRounding = style.PopupRounding = 4;
+    style.FrameRounding = style.PopupRounding = 4;
+    style.WindowRounding = 0;
     style.WindowBorderSize = 0;
-    style.Colors[ImGuiCol_WindowBg] = ImVec4(0.11f, 0.12f, 0.14f, 0.93f);
+    style.Colors[ImGuiCol_WindowBg] = ImVec4(0.11f, 0.12f, 0.14f, 1.0f);
     style.ScaleAllSizes(scale);
     ImGui::GetStyle() = style;
 }

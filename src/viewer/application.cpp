@@ -239,6 +239,15 @@ void Application::draw_thumbnail() {
     if (!is_busy && thumbnails_.has_work()) thumbnails_.draw_one(session_);
 }
 
+// Only what the panels leave free: to blend is what the user interface costs on a software renderer.
+void Application::show_picture() const {
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const float low = settings_.shows_panels ? left_ : 0;
+    const float high = display.x - (settings_.shows_panels ? right_ : 0);
+    ImGui::GetBackgroundDrawList()->AddImage(texture_id(canvas_.texture()), ImVec2(low, 0), ImVec2(high, display.y),
+                                             ImVec2(low / display.x, 1), ImVec2(high / display.x, 0));
+}
+
 void Application::frame(FrameSize pixels) {
     const ImGuiIO& io = ImGui::GetIO();
     pixels_a_point_ = double(pixels.width) / double(io.DisplaySize.x);
@@ -249,9 +258,8 @@ void Application::frame(FrameSize pixels) {
     }
     move_by_mouse();
     draw_picture();
-    ImGui::GetBackgroundDrawList()->AddImage(texture_id(canvas_.texture()), ImVec2(0, 0), io.DisplaySize, ImVec2(0, 1),
-                                             ImVec2(1, 0));
     show_panels();
+    show_picture();
     draw_thumbnail();
 }
 

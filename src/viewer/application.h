@@ -74,6 +74,7 @@ private:
     void look_at_whole(View view);
     void move_by_mouse();
     void draw_picture();
+    void show_picture() const;
     void draw_thumbnail();
     [[nodiscard]] bool is_moving() const;
     [[nodiscard]] Detail detail() const;

@@ -16,7 +16,7 @@ struct Settings {
     int window_height = 720;
     double ui_scale = 0;           ///< of texts and panels; 0: what the display asks for
     int samples = 4;               ///< of a pixel while nothing moves
-    double least_frame_rate = 15;  ///< to hold while something moves, at the cost of detail; 0: always full detail
+    double least_frame_rate = 30;  ///< to hold while something moves, at the cost of detail; 0: always full detail
     bool shows_panels = true;
     bool shows_overlay = false;
     bool has_inertia = false;
