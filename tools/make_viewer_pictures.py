@@ -28,7 +28,7 @@ def make_pictures(program, model, folder):
         window.drag((640, 400), (760, 340))
         window.wait_until_idle()
         save(window, "turned")
-        window.move(585, 180)
+        window.move(580, 450)
         window.hold("m")
         window.wait_until_idle()
         save(window, "magnifier")

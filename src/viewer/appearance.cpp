@@ -39,6 +39,8 @@ void set_appearance(float scale) {
     style.WindowRounding = 0;
     style.WindowBorderSize = 0;
     style.Colors[ImGuiCol_WindowBg] = ImVec4(0.11f, 0.12f, 0.14f, 1.0f);
+    style.Colors[ImGuiCol_TextDisabled] = ImVec4(0.64f, 0.66f, 0.7f, 1.0f);
+    style.Colors[ImGuiCol_Border] = ImVec4(0.4f, 0.45f, 0.55f, 1.0f);
     style.ScaleAllSizes(scale);
     ImGui::GetStyle() = style;
 }

@@ -258,9 +258,9 @@ void Application::frame(FrameSize pixels) {
     }
     move_by_mouse();
     draw_picture();
+    draw_thumbnail();  // before the panels: what they show must last until they are drawn
     show_panels();
     show_picture();
-    draw_thumbnail();
 }
 
 void Application::save_picture(bool has_background) {

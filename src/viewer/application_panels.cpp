@@ -40,7 +40,8 @@ void Application::show_panels() {
     }
     if (loader_.is_reading()) show_reading();
     if (asks_where_to_save_) show_save_dialogue();
-    has_passing_note_ = messages_.show(ImGui::GetIO().DeltaTime);
+    const float low = settings_.shows_panels ? left_ : 0, high = display.x - (settings_.shows_panels ? right_ : 0);
+    has_passing_note_ = messages_.show(ImGui::GetIO().DeltaTime, low, high);
     if (shows_help_) show_help_screen(commands_, shows_help_);
     magnifier_.show(canvas_, pixels_a_point_);
 }

@@ -55,6 +55,7 @@ void show_help_screen(const Commands& commands, bool& is_open) {
     ImGui::SetNextWindowPos(ImVec2(0.5f * display.x, 0.5f * display.y), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
     ImGui::SetNextWindowSize(ImVec2(std::min(62 * line, 0.95f * display.x), std::min(52 * line, 0.92f * display.y)));
     ImGui::SetNextWindowFocus();
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
     if (ImGui::Begin("Help", &is_open,
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize) &&
         ImGui::BeginTable("keys", 3)) {
@@ -69,6 +70,7 @@ void show_help_screen(const Commands& commands, bool& is_open) {
         ImGui::EndTable();
     }
     ImGui::End();
+    ImGui::PopStyleVar();
 }
 
 }  // namespace croquis::viewer

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <cctype>
 #include <charconv>
 
@@ -76,15 +77,13 @@ void Messages::note(const std::string& text) {
     note_seconds_ = seconds;
 }
 
-bool Messages::show(float seconds_since_last) {
+bool Messages::show(float seconds_since_last, float low, float high) {
     note_seconds_ -= seconds_since_last;
     const bool has_note = note_seconds_ > 0;
     if (mistakes_.empty() && !has_note) return false;
-    const ImVec2 display = ImGui::GetIO().DisplaySize;
-    const float width = 0.5f * display.x;
-    ImGui::SetNextWindowPos(ImVec2(0.5f * display.x, display.y - ImGui::GetFontSize()), ImGuiCond_Always,
-                            ImVec2(0.5f, 1.0f));
-    ImGui::SetNextWindowSize(ImVec2(width, 0));
+    const float line = ImGui::GetFontSize();
+    ImGui::SetNextWindowPos(ImVec2(low + line, ImGui::GetIO().DisplaySize.y - line), ImGuiCond_Always, ImVec2(0, 1));
+    ImGui::SetNextWindowSize(ImVec2(std::max(high - low - 2 * line, line), 0));
     ImGui::Begin("messages", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav |
                      ImGuiWindowFlags_NoMove);

@@ -19,8 +19,9 @@ public:
     /// Shown for some seconds: "wrote a.png".
     void note(const std::string& text);
 
-    /// Shows all of it above the lower edge of the window. True while a note is there that will pass.
-    bool show(float seconds_since_last);
+    /// Shows all of it above the lower edge of the window, between `low` and `high` across. True while a note is there
+    /// that will pass.
+    bool show(float seconds_since_last, float low, float high);
 
 private:
     struct Mistake {
