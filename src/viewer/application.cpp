@@ -18,6 +18,7 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr auto time_between_looks = std::chrono::milliseconds(400);
+constexpr auto time_to_settle = std::chrono::milliseconds(300);
 constexpr std::array image_endings{".png", ".jpg", ".jpeg", ".tga", ".bmp", ".pcx"};
 
 bool is_sample_count(int samples) { return samples == 1 || samples == 4 || samples == 9 || samples == 16; }
@@ -180,16 +181,17 @@ bool Application::poll() {
 bool Application::is_moving() const { return mouse_.is_dragging() || mouse_.is_coasting() || player_.is_playing(); }
 
 bool Application::wants_frames() const {
-    const bool has_pictures_to_make = thumbnails_.has_work() && session_.model() != nullptr;
-    return mouse_.is_coasting() || player_.is_playing() || has_pictures_to_make || loader_.is_reading() ||
-           has_passing_note_;
+    return mouse_.is_coasting() || player_.is_playing() || can_draw_thumbnail() || loader_.is_reading() ||
+           has_passing_note_ || (is_slow() && is_settling());
 }
 
-// Only what moves gives up detail, and only where it would not keep up.
-Detail Application::detail() const {
-    const bool is_slow = full_milliseconds_ * settings_.least_frame_rate > 1000.0;
-    return is_moving() && is_slow ? Detail::reduced : Detail::full;
-}
+bool Application::is_slow() const { return full_milliseconds_ * settings_.least_frame_rate > 1000.0; }
+
+bool Application::is_settling() const { return Clock::now() - moved_at_ < time_to_settle; }
+
+// What moves, or is being tuned, gives up detail where it would not keep up; full detail waits until it has come to
+// rest, so that it does not stand in the way of the next drag.
+Detail Application::detail() const { return is_slow() && is_settling() ? Detail::reduced : Detail::full; }
 
 // The model at rest, whole, in the part of the frame that the panels leave free.
 void Application::look_at_whole(View view) {
@@ -232,11 +234,14 @@ void Application::draw_picture() {
     overlay_.add_frame(milliseconds);
 }
 
+// None of a large model before its smaller copy is there.
+bool Application::can_draw_thumbnail() const {
+    return thumbnails_.has_work() && session_.model() != nullptr && !loader_.is_busy();
+}
+
 // One a frame, and none while the mouse is busy: each may compile shaders.
 void Application::draw_thumbnail() {
-    const ImGuiIO& io = ImGui::GetIO();
-    const bool is_busy = is_moving() || ImGui::IsAnyMouseDown() || io.MouseWheel != 0;
-    if (!is_busy && thumbnails_.has_work()) thumbnails_.draw_one(session_);
+    if (can_draw_thumbnail() && !is_settling() && !ImGui::IsAnyMouseDown()) thumbnails_.draw_one(session_);
 }
 
 // Only what the panels leave free: to blend is what the user interface costs on a software renderer.
@@ -257,6 +262,7 @@ void Application::frame(FrameSize pixels) {
         session_.set_moment(player_.clip(), player_.seconds());
     }
     move_by_mouse();
+    if (is_moving() || io.MouseWheel != 0 || ImGui::IsAnyItemActive()) moved_at_ = Clock::now();
     draw_picture();
     draw_thumbnail();  // before the panels: what they show must last until they are drawn
     show_panels();

@@ -76,7 +76,10 @@ private:
     void draw_picture();
     void show_picture() const;
     void draw_thumbnail();
+    [[nodiscard]] bool can_draw_thumbnail() const;
     [[nodiscard]] bool is_moving() const;
+    [[nodiscard]] bool is_slow() const;
+    [[nodiscard]] bool is_settling() const;
     [[nodiscard]] Detail detail() const;
 
     // application_panels.cpp
@@ -114,6 +117,7 @@ private:
     bool has_passing_note_ = false;
     bool asks_where_to_save_ = false;
     std::string save_path_;
+    std::chrono::steady_clock::time_point moved_at_;
     double full_milliseconds_ = 0;  // of the last drawing in full detail
     int picture_scale_ = 1;         // of pictures that are written
     bool wants_to_close_ = false;

@@ -117,7 +117,7 @@ Settings Settings::load(const fs::path& path) {
         reader.read("window_height", settings.window_height, 1, 32768);
         reader.read("ui_scale", settings.ui_scale, 0, 4);
         reader.read("samples", settings.samples, 1, 16);
-        reader.read("least_frame_rate", settings.least_frame_rate, 0, 240);
+        reader.read("least_frame_rate", settings.least_frame_rate, 0, 1000);
         reader.read("shows_panels", settings.shows_panels);
         reader.read("shows_overlay", settings.shows_overlay);
         reader.read("has_inertia", settings.has_inertia);

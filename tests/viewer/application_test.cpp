@@ -67,10 +67,10 @@ protected:
             ImGui::Render();
         }
     }
-    // Until a model was read.
+    // Until a model was read, and what comes after it.
     void open_model(const std::string& path) {
         application_->open(path);
-        for (int i = 0; application_->loader().is_reading() && i < 2000; ++i) {
+        for (int i = 0; application_->loader().is_busy() && i < 2000; ++i) {
             std::this_thread::sleep_for(std::chrono::milliseconds(2));
             (void)application_->poll();
         }
@@ -344,6 +344,32 @@ TEST_F(ApplicationTest, TheCopiedCommandAndCameraComeBack) {
     application_->press("Ctrl+C");
     EXPECT_NE(clipboard.find("croquis render "), std::string::npos);
     EXPECT_NE(clipboard.find(" --set 'surfaces.clear_color=0 0 1' "), std::string::npos) << clipboard;
+}
+
+// A drawing that takes longer than the least frame rate allows (any, for so high a rate) is made with one sample while
+// the mouse drags, and in full once it rests.
+TEST_F(ApplicationTest, WhatMovesGivesUpDetailWhereItIsSlow) {
+    Settings settings = application_->settings();
+    settings.samples = 16;
+    settings.least_frame_rate = 1e6;
+    application_ = std::make_unique<Application>(*renderer_, settings);
+    frames();
+    open_cube();
+    const auto drawn_with = [&](int samples) {
+        DrawOptions options = session().options(frame_size);
+        options.samples = samples;
+        Technique technique = renderer_->open_technique("plain");
+        return renderer_->draw(*session().model(), technique, options);
+    };
+    mouse(300, 210, false);
+    mouse(300, 210, true);
+    mouse(380, 150, true);
+    EXPECT_EQ(shown().difference_from(drawn_with(1)).maximum, 0);
+    EXPECT_GT(shown().difference_from(drawn_with(16)).maximum, 0);
+    mouse(380, 150, false);
+    std::this_thread::sleep_for(std::chrono::milliseconds(350));
+    frames();
+    EXPECT_EQ(shown().difference_from(drawn_with(16)).maximum, 0);
 }
 
 TEST_F(ApplicationTest, ThumbnailsAreDrawnOneAFrameUntilAllThatAreSeenAreThere) {
