@@ -26,7 +26,7 @@ docs: build
 
 bench: build
 	@$(BUILD)/croquis bench --techniques all
-	@for program in croquis_bench_strokes croquis_bench_finders croquis_bench_lines; do \
+	@for program in croquis_bench_strokes croquis_bench_finders croquis_bench_lines croquis_bench_viewer; do \
 	    $(BUILD)/bench/$$program --benchmark_enable_random_interleaving=true || exit 1; \
 	done
 

@@ -154,6 +154,19 @@ TEST_F(ApplicationTest, DraggingBackIsAsIfNothingWas) {
     EXPECT_EQ(shown().difference_from(before).maximum, 0);
 }
 
+TEST_F(ApplicationTest, WithInertiaItGoesOnTurningForAWhile) {
+    open_cube();
+    application_->press("I");
+    drag({300, 210}, {330, 200});
+    const View let_go = arrangement().view();
+    EXPECT_TRUE(application_->wants_frames());
+    frames();
+    EXPECT_NE(arrangement().view().eye, let_go.eye);
+    int count = 0;
+    for (; application_->wants_frames() && count < 1000; ++count) frames();
+    EXPECT_LT(count, 1000) << "it comes to rest";
+}
+
 TEST_F(ApplicationTest, NothingIsDrawnWhereNothingChanged) {
     open_cube();
     const long long draws = renderer_->counts().draws;
@@ -398,6 +411,22 @@ TEST_F(ApplicationTest, AModelIsSeenBetweenThePanels) {
     EXPECT_GE(first, left);
     EXPECT_LE(last, right);
     EXPECT_NEAR(first - left, right - last, 3);
+}
+
+TEST_F(ApplicationTest, AnAnimationPlays) {
+    open_model("/usr/share/assimp/models/MD2/faerie.md2");
+    ASSERT_NE(session().model(), nullptr);
+    application_->press("Space");
+    frames();
+    const Picture first = shown();
+    frames(10);
+    EXPECT_FALSE(session().animation().empty());
+    EXPECT_NEAR(session().seconds(), 11.0 / 30, 1e-5);
+    EXPECT_GT(shown().difference_from(first).maximum, 0);
+    application_->press("Space");
+    const double paused = session().seconds();
+    frames(3);
+    EXPECT_EQ(session().seconds(), paused);
 }
 
 TEST_F(ApplicationTest, AFrameOfOnePixelIsDrawn) {
