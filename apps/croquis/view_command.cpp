@@ -1,6 +1,7 @@
 // croquis view: a window to look at models in techniques, and to tune these.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "base/error.h"
@@ -55,8 +56,9 @@ int run(const ViewCommand& options) {
     Window window(start.window_width, start.window_height, start.ui_scale);
     Renderer renderer = Renderer::in_current_context(options.common.data_folders);
     viewer::Application application(renderer, start);
+    const bool has_model = std::any_of(options.files.begin(), options.files.end(), viewer::Application::is_model);
+    if (!has_model) application.open(built_in_model_path(options.common));
     for (const std::string& file : options.files) application.open(file);
-    if (options.files.empty()) application.open(built_in_model_path(options.common));
     window.run(application);
     viewer::Settings settings = application.settings();
     const Window::Size size = window.size();
@@ -80,7 +82,11 @@ void add_view_command(CLI::App& program, Commands& commands) {
     command->add_option("--ui-scale", options->ui_scale, "How large texts and panels are; what the display asks for")
         ->check(check_number);
     command->add_option("--settings", options->settings_file, "File of what is remembered, in place of the user's own");
-    options->common.add_to(*command);
+    // What a window draws with is the display's choice: no --gl and no --device here.
+    command->add_option("--data", options->common.data_folders,
+                        "A folder of your own components, techniques, shaders and textures");
+    command->add_flag_callback(
+        "--verbose", [] { set_verbose(); }, "Say more on standard error");
     commands[command] = [options] { return run(*options); };
 }
 

@@ -81,17 +81,22 @@ bool Application::press(std::string_view key) {
 
 bool Application::release(std::string_view key) { return commands_.release(key); }
 
+bool Application::is_model(const std::string& path) {
+    const std::vector<std::string> endings = Model::readable_endings();
+    return std::find(endings.begin(), endings.end(), ending_of(path)) != endings.end();
+}
+
 void Application::open(const std::string& path) {
     const std::string ending = ending_of(path);
-    const std::vector<std::string> models = Model::readable_endings();
     if (ending == ".technique") {
         choose_technique(path);
-    } else if (std::find(models.begin(), models.end(), ending) != models.end()) {
+    } else if (is_model(path)) {
         loader_.start(path, "");
     } else if (std::find(image_endings.begin(), image_endings.end(), ending) != image_endings.end()) {
         act([&] {
-            if (session_.model_path().empty()) fail("{}: expected a model that the image can lie on, found none", path);
-            loader_.start(session_.model_path(), path);
+            const std::string model = loader_.is_reading() ? loader_.path() : session_.model_path();
+            if (model.empty()) fail("{}: expected a model that the image can lie on, found none", path);
+            loader_.start(model, path);
         });
     } else {
         act([&] { fail("{}: expected a model, a technique or an image, found \"{}\"", path, ending); });

@@ -31,6 +31,9 @@ public:
     /// else, and whatever is wrong with it, is told in the window.
     void open(const std::string& path);
 
+    /// Whether `open` takes the file for a model.
+    [[nodiscard]] static bool is_model(const std::string& path);
+
     /// A key, as the registry of commands names it: "Ctrl+S". False where none has it.
     bool press(std::string_view key);
     bool release(std::string_view key);

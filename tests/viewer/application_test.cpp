@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <set>
 #include <thread>
 
@@ -412,6 +413,19 @@ TEST_F(ApplicationTest, AModelIsSeenBetweenThePanels) {
     EXPECT_GE(first, left);
     EXPECT_LE(last, right);
     EXPECT_NEAR(first - left, right - last, 3);
+}
+
+// A model and its skin named at once, as on the command line: the skin waits for no model to be read.
+TEST_F(ApplicationTest, AnImageBecomesTheTextureOfTheModel) {
+    const std::string model = folder_.write("cube.obj", cube_text).string();
+    const std::string data = std::getenv("CROQUIS_DATA");
+    application_->open(model);
+    open_model(data + "/textures/toon/two_tone.png");
+    ASSERT_NE(session().model(), nullptr);
+    EXPECT_EQ(session().model_path(), model);
+    EXPECT_EQ(session().model_texture(), data + "/textures/toon/two_tone.png");
+    open_model(data + "/textures/toon/flat.png");
+    EXPECT_EQ(session().model_texture(), data + "/textures/toon/flat.png");
 }
 
 TEST_F(ApplicationTest, AnAnimationPlays) {
