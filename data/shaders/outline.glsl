@@ -1,4 +1,4 @@
-// Outlines: quads along edges of the surface, one instance an edge (src/components/outline_edges.h). Seed A, 3.4; seed B,
+// Outlines: quads along edges of the surface, four vertices an edge that hold the same (src/components/outline_edges.h). Seed A, 3.4; seed B,
 // chapter 4; seed E, 10.3.1.
 
 uniform mat4 clip_from_scene;
@@ -67,7 +67,7 @@ vec4 outline_corner() {
     vec2 direction = pixels > 1e-6 ? (to - from) / pixels : vec2(1.0, 0.0);
     vec2 outwards = side * vec2(direction.y, -direction.x);
 
-    bool at_end = gl_VertexID >= 2, is_outer = (gl_VertexID & 1) == 0;
+    bool at_end = (gl_VertexID & 2) != 0, is_outer = (gl_VertexID & 1) == 0;
     vec4 position = at_end ? end : start;
     float width = only_outside ? width_at(position) : 0.5 * width_at(position);
     float reach = width + 0.5;

@@ -1,5 +1,6 @@
 // outline: silhouettes as quads along the surface's edges, over the surfaces that the frame holds. Seed A, 3.4 and
 // 3.6.3; seed B, chapter 4, algorithms 1-3; seed E, 10.3.1 and 10.4.
+#include <bit>
 #include <glm/trigonometric.hpp>
 #include <optional>
 
@@ -36,28 +37,44 @@ struct Subject {
     bool operator==(const Subject&) const = default;
 };
 
-// Instances on the GPU, which keep their place when their number changes.
+// Lines on the GPU: the four corners of each hold all of it, for the software renderer takes as long to begin an
+// instance as to draw it.
 class LineBuffer {
 public:
-    void upload(gpu::Context& context, std::span<const OutlineEdge> edges) {
-        if (geometry_) return geometry_->update_instances(std::as_bytes(edges), int(edges.size()));
+    void upload(gpu::Context& context, const std::vector<OutlineEdge>& edges) {
+        std::vector<OutlineEdge> corners;
+        corners.reserve(4 * edges.size());
+        for (const OutlineEdge& edge : edges) corners.insert(corners.end(), 4, edge);
+        lines_ = edges.size();
+        if (geometry_ && lines_ <= capacity_) return geometry_->update(0, std::as_bytes(std::span(corners)));
+        capacity_ = std::bit_ceil(lines_);
+        make_geometry(context, corners);
+    }
+
+    void draw() const {
+        if (lines_ > 0) geometry_->draw(0, 6 * lines_);
+    }
+
+private:
+    void make_geometry(gpu::Context& context, const std::vector<OutlineEdge>& corners) {
+        std::vector<std::uint32_t> triangles;
+        for (std::uint32_t first = 0; first < 4 * capacity_; first += 4) {
+            for (const std::uint32_t corner : {0u, 1u, 2u, 2u, 1u, 3u}) triangles.push_back(first + corner);
+        }
         using Kind = gpu::Attribute::Kind;
-        const gpu::VertexBuffer buffer{std::as_bytes(edges),
+        const gpu::VertexBuffer buffer{std::as_bytes(std::span(corners)),
                                        sizeof(OutlineEdge),
                                        {{0, 3, Kind::floats, offsetof(OutlineEdge, start)},
                                         {1, 3, Kind::floats, offsetof(OutlineEdge, end)},
                                         {2, 3, Kind::floats, offsetof(OutlineEdge, inside)},
                                         {3, 4, Kind::bytes_to_unit, offsetof(OutlineEdge, start_color)},
-                                        {4, 4, Kind::bytes_to_unit, offsetof(OutlineEdge, end_color)}},
-                                       gpu::VertexBuffer::Step::instance};
-        constexpr int strip_vertices = 4;
-        geometry_ = std::make_unique<gpu::Geometry>(context, std::span(&buffer, 1), strip_vertices, int(edges.size()));
+                                        {4, 4, Kind::bytes_to_unit, offsetof(OutlineEdge, end_color)}}};
+        geometry_ = std::make_unique<gpu::Geometry>(context, std::span(&buffer, 1), triangles);
     }
 
-    void draw() const { geometry_->draw(); }
-
-private:
     std::unique_ptr<gpu::Geometry> geometry_;
+    std::size_t lines_ = 0;
+    std::size_t capacity_ = 0;  // lines that the indices reach
 };
 
 // What a draw of the lines asks of the shader besides the frame.
@@ -212,17 +229,17 @@ private:
         gpu::Context& gpu = context.resources.gpu();
         using Facing = OutlineEdges::Facing;
         if (method_named(method_.value()) == Method::stencil_lines) {
-            of_front_faces_.upload(gpu, instances(edges_->edges_of_faces(subject_->view, Facing::front, shown)));
-            of_back_faces_.upload(gpu, instances(edges_->edges_of_faces(subject_->view, Facing::back, shown)));
+            of_front_faces_.upload(gpu, lines_along(edges_->edges_of_faces(subject_->view, Facing::front, shown)));
+            of_back_faces_.upload(gpu, lines_along(edges_->edges_of_faces(subject_->view, Facing::back, shown)));
         }
-        found_.upload(gpu, instances(edges_->contours(subject_->view, shown)));
+        found_.upload(gpu, lines_along(edges_->contours(subject_->view, shown)));
         if (inner_width_.value() > 0) {
-            inner_.upload(gpu, instances(edges_->inner_edges(glm::radians(double(crease_angle_.value())), shown)));
+            inner_.upload(gpu, lines_along(edges_->inner_edges(glm::radians(double(crease_angle_.value())), shown)));
         }
     }
 
     // One line an edge; in ink three, their offsets' components in turn (seed B, algorithm 3).
-    [[nodiscard]] std::vector<OutlineEdge> instances(const std::vector<EdgeWithFace>& edges) const {
+    [[nodiscard]] std::vector<OutlineEdge> lines_along(const std::vector<EdgeWithFace>& edges) const {
         const int copies = offsets_.empty() ? 1 : 3;
         std::vector<OutlineEdge> lines;
         lines.reserve(edges.size() * std::size_t(copies));

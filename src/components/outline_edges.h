@@ -1,6 +1,6 @@
-// The edges that outlines are drawn along: which of a surface's edges bound what the eye sees of it, as instances for
-// data/shaders/outline.glsl. Found on the processor: the software renderer runs a vertex shader for the four corners of
-// every edge of the mesh ten times longer than it shades the surface (docs/performance.md).
+// The edges that outlines are drawn along: which of a surface's edges bound what the eye sees of it, as lines for
+// data/shaders/outline.glsl. Found on the processor: a software renderer would run the vertex shader for the four
+// corners of every edge of the mesh.
 #pragma once
 
 #include <cstdint>
