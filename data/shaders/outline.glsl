@@ -1,5 +1,6 @@
 // Outlines: quads along edges of the surface, four vertices an edge that hold the same (src/components/outline_edges.h). Seed A, 3.4; seed B,
 // chapter 4; seed E, 10.3.1.
+#include "coverage.glsl"
 
 uniform mat4 clip_from_scene;
 uniform vec2 frame_size;
@@ -24,16 +25,15 @@ layout(location = 2) in vec3 edge_inside;  // on the side of the edge where the 
 layout(location = 3) in vec4 start_color;
 layout(location = 4) in vec4 end_color;
 
-const float smallest_w = 1e-5;
 const float overlap = 1.0;  // pixels that a line on the outside reaches in, for the surface to cover
 
-// The part of the edge before the eye: an end behind it is drawn back to where w is still positive.
-void clip_behind_eye(inout vec4 start, inout vec4 end) {
-    if (start.w < smallest_w && end.w > smallest_w) {
-        start = mix(start, end, (smallest_w - start.w) / (end.w - start.w));
-    } else if (end.w < smallest_w && start.w > smallest_w) {
-        end = mix(end, start, (smallest_w - end.w) / (start.w - end.w));
-    }
+// Cuts the edge at the near plane. False when all of it lies before that.
+bool clip_at_near_plane(inout vec4 start, inout vec4 end) {
+    float start_behind = start.z + start.w, end_behind = end.z + end.w;
+    if (start_behind <= 0.0 && end_behind <= 0.0) return false;
+    if (start_behind < 0.0) start = mix(end, start, end_behind / (end_behind - start_behind));
+    if (end_behind < 0.0) end = mix(start, end, start_behind / (start_behind - end_behind));
+    return true;
 }
 
 // 1 where the surface lies to the left of the edge, -1 to the right. Holds for points behind the eye too.
@@ -60,7 +60,7 @@ vec4 outline_corner() {
     vec4 start = clip_from_scene * vec4(edge_start, 1.0);
     vec4 end = clip_from_scene * vec4(edge_end, 1.0);
     float side = side_of_surface(start, end, clip_from_scene * vec4(edge_inside, 1.0));
-    clip_behind_eye(start, end);
+    if (!clip_at_near_plane(start, end)) return vec4(0.0, 0.0, 2.0, 1.0);  // outside the frame
     vec2 half_frame = 0.5 * frame_size;
     vec2 from = start.xy / start.w * half_frame, to = end.xy / end.w * half_frame;
     float pixels = distance(from, to);
@@ -85,8 +85,8 @@ vec4 outline_corner() {
 float coverage() {
     float past_end = max(max(along.x, along.y), 0.0);
     float from_edge = length(vec2(past_end, across.x));
-    float thinness = only_outside ? across.y : 2.0 * across.y;
-    return clamp(across.y + 0.5 - from_edge, 0.0, min(thinness, 1.0));
+    // A line on the outside has its other half on the surface, where it does not show.
+    return only_outside ? clamp(across.y + 0.5 - from_edge, 0.0, min(across.y, 1.0)) : line_coverage(from_edge, across.y);
 }
 
 vec4 outline() { return vec4(ink, coverage()); }

@@ -94,6 +94,7 @@ public:
           boundary_width_(pass.variable<float>("boundary_width")),
           inner_width_(pass.variable<float>("inner_width")),
           crease_angle_(pass.variable<float>("crease_angle")),
+          shortest_(pass.variable<float>("shortest")),
           width_unit_(pass.variable<std::string>("width_unit")),
           colors_(pass.variable<std::string>("colors")),
           color_(pass.variable<glm::vec3>("color")),
@@ -146,7 +147,8 @@ private:
                 draw(context, *lines_, found_, ink, {width, true, -halo_depth_.value()});
                 break;
             case Method::ink:
-                draw(context, *lines_, found_, ink, {width, false, 0});
+                // Nearer by what they may be off, so that the surface does not swallow them.
+                draw(context, *lines_, found_, ink, {width, false, 2 * offset_.value()});
                 break;
             case Method::stencil_lines:
                 draw_through_stencil(context, ink);
@@ -220,6 +222,10 @@ private:
         }
     }
 
+    [[nodiscard]] bool finds_contours() const {
+        return method_named(method_.value()) != Method::stencil_lines || boundary_width_.value() > 0;
+    }
+
     void find_lines(RenderContext& context) {
         const framework::ObjectSelection selection(objects_.value());
         std::vector<bool> shown;
@@ -232,7 +238,8 @@ private:
             of_front_faces_.upload(gpu, lines_along(edges_->edges_of_faces(subject_->view, Facing::front, shown)));
             of_back_faces_.upload(gpu, lines_along(edges_->edges_of_faces(subject_->view, Facing::back, shown)));
         }
-        found_.upload(gpu, lines_along(edges_->contours(subject_->view, shown)));
+        if (finds_contours())
+            found_.upload(gpu, lines_along(edges_->contours(subject_->view, shown, shortest_.value())));
         if (inner_width_.value() > 0) {
             inner_.upload(gpu, lines_along(edges_->inner_edges(glm::radians(double(crease_angle_.value())), shown)));
         }
@@ -269,6 +276,7 @@ private:
     Variable<float> boundary_width_;
     Variable<float> inner_width_;
     Variable<float> crease_angle_;
+    Variable<float> shortest_;
     Variable<std::string> width_unit_;
     Variable<std::string> colors_;
     Variable<glm::vec3> color_;

@@ -36,14 +36,16 @@ public:
 
     [[nodiscard]] const lines::Surface& surface() const { return *surface_; }
 
-    /// Edges all whose faces lie on one side of them as the eye sees it: of a closed surface those between a face that
-    /// is turned to the eye and one that is not, and borders always. `shown` has an entry a mesh.
-    [[nodiscard]] std::vector<EdgeWithFace> contours(const lines::Viewpoint& view, const std::vector<bool>& shown);
+    /// Edges all whose shown faces lie on one side of them as the eye sees it: of a closed surface those between a face
+    /// that is turned to the eye and one that is not, and borders always. `shown` has an entry a mesh. Edges that hang
+    /// together are left out when they are shorter in all than `shortest` pixels of the picture.
+    [[nodiscard]] std::vector<EdgeWithFace> contours(const lines::Viewpoint& view, const std::vector<bool>& shown,
+                                                     double shortest = 0);
 
     enum class Facing { front, back };
     /// The edges of the faces that are turned to the eye, or away from it: what drawing those faces in line mode shows.
-    /// Of closed meshes only those that faces of both kinds share: other back edges are hidden, other front edges have
-    /// no back edge to meet.
+    /// Of edges with two faces only those that faces of both kinds share: other back edges are hidden or lie within a
+    /// surface, other front edges have no back edge to meet.
     [[nodiscard]] std::vector<EdgeWithFace> edges_of_faces(const lines::Viewpoint& view, Facing facing,
                                                            const std::vector<bool>& shown) const;
 
@@ -52,7 +54,11 @@ public:
     [[nodiscard]] std::vector<EdgeWithFace> inner_edges(double crease_angle, const std::vector<bool>& shown) const;
 
 private:
-    [[nodiscard]] bool bounds_its_faces(std::uint32_t edge, const lines::Viewpoint& view) const;
+    [[nodiscard]] bool bounds_its_faces(std::uint32_t edge, const lines::Viewpoint& view,
+                                        const std::vector<bool>& shown) const;
+    [[nodiscard]] std::vector<std::uint32_t> contour_candidates(const lines::Viewpoint& view,
+                                                                const std::vector<bool>& shown);
+    void leave_out_specks(std::vector<EdgeWithFace>& lines, const lines::Viewpoint& view, double shortest) const;
     [[nodiscard]] std::uint32_t third_corner(std::uint32_t edge, std::uint32_t face) const;
 
     std::shared_ptr<const lines::Surface> surface_;
