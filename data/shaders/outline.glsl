@@ -10,7 +10,7 @@ uniform float line_width;       // pixels of the picture, or scene units
 uniform bool in_model_units;
 uniform float pixels_per_unit;  // pixels of the frame along a scene unit at w = 1
 uniform bool only_outside;      // on the side away from the surface; else half on either side
-uniform float towards_eye;      // scene units by which the line is drawn nearer than it is
+uniform float towards_eye;         // scene units by which the line is drawn nearer than it is
 uniform float widths_towards_eye;  // the same in widths of the line
 uniform vec2 depth_terms;       // of the projection: z = depth_terms.x * z_eye + depth_terms.y
 
