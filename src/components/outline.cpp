@@ -206,14 +206,21 @@ private:
         }
         if (!subject_ || subject_->model != now.model || subject_->revision != now.revision ||
             subject_->seed != now.seed) {
-            update_vertices(*now.model, now.seed);
+            update_choices(*now.model, now.seed);
+        }
+        if (inner_width_.value() > 0 && (!subject_ || subject_->pose != now.pose || subject_->model != now.model ||
+                                         subject_->revision != now.revision)) {
+            inner_edges_ = edges_->inner_edges(glm::radians(double(crease_angle_.value())), shown_);
         }
         subject_ = std::move(now);
         find_lines(context);
     }
 
-    // What each vertex gives its lines; neither view nor pose changes it.
-    void update_vertices(const model::Model& model, std::uint64_t seed) {
+    // What depends on neither view nor pose.
+    void update_choices(const model::Model& model, std::uint64_t seed) {
+        const framework::ObjectSelection selection(objects_.value());
+        shown_.clear();
+        for (const model::Mesh& mesh : model.meshes) shown_.push_back(selection.includes(model, mesh));
         own_colors_.clear();
         offsets_.clear();
         if (colors_.value() == "own") own_colors_ = own_line_colors(model, darkening_.value());
@@ -227,22 +234,18 @@ private:
     }
 
     void find_lines(RenderContext& context) {
-        const framework::ObjectSelection selection(objects_.value());
-        std::vector<bool> shown;
-        for (const model::Mesh& mesh : subject_->model->meshes) {
-            shown.push_back(selection.includes(*subject_->model, mesh));
-        }
         gpu::Context& gpu = context.resources.gpu();
+        const lines::Viewpoint& view = subject_->view;
         using Facing = OutlineEdges::Facing;
         if (method_named(method_.value()) == Method::stencil_lines) {
-            of_front_faces_.upload(gpu, lines_along(edges_->edges_of_faces(subject_->view, Facing::front, shown)));
-            of_back_faces_.upload(gpu, lines_along(edges_->edges_of_faces(subject_->view, Facing::back, shown)));
+            of_front_faces_.upload(gpu, lines_along(edges_->edges_of_faces(view, Facing::front, shown_)));
+            of_back_faces_.upload(gpu, lines_along(edges_->edges_of_faces(view, Facing::back, shown_)));
         }
-        if (finds_contours())
-            found_.upload(gpu, lines_along(edges_->contours(subject_->view, shown, shortest_.value())));
-        if (inner_width_.value() > 0) {
-            inner_.upload(gpu, lines_along(edges_->inner_edges(glm::radians(double(crease_angle_.value())), shown)));
-        }
+        const auto upload = [&](LineBuffer& buffer, const std::vector<EdgeWithFace>& lines) {
+            buffer.upload(gpu, lines_along(edges_->without_specks(lines, view, shortest_.value())));
+        };
+        if (finds_contours()) upload(found_, edges_->contours(view, shown_));
+        if (inner_width_.value() > 0) upload(inner_, inner_edges_);
     }
 
     // One line an edge; in ink three, their offsets' components in turn (seed B, algorithm 3).
@@ -296,8 +299,10 @@ private:
 
     std::optional<Subject> subject_;  // what the buffers show
     std::optional<OutlineEdges> edges_;
-    std::vector<glm::u8vec4> own_colors_;  // one a vertex of the topology; empty for lines of one colour
-    std::vector<glm::vec3> offsets_;       // the same; empty but for method ink
+    std::vector<bool> shown_;                // one a mesh
+    std::vector<EdgeWithFace> inner_edges_;  // of this surface, in all views
+    std::vector<glm::u8vec4> own_colors_;    // one a vertex of the topology; empty for lines of one colour
+    std::vector<glm::vec3> offsets_;         // the same; empty but for method ink
     LineBuffer found_, inner_, of_front_faces_, of_back_faces_;
 };
 

@@ -58,8 +58,7 @@ std::vector<std::uint32_t> OutlineEdges::contour_candidates(const lines::Viewpoi
     return candidates;
 }
 
-std::vector<EdgeWithFace> OutlineEdges::contours(const lines::Viewpoint& view, const std::vector<bool>& shown,
-                                                 double shortest) {
+std::vector<EdgeWithFace> OutlineEdges::contours(const lines::Viewpoint& view, const std::vector<bool>& shown) {
     const model::Topology& topology = surface_->topology();
     std::vector<EdgeWithFace> found;
     for (const std::uint32_t edge : contour_candidates(view, shown)) {
@@ -69,13 +68,13 @@ std::vector<EdgeWithFace> OutlineEdges::contours(const lines::Viewpoint& view, c
             break;
         }
     }
-    if (shortest > 0) leave_out_specks(found, view, shortest);
     return found;
 }
 
 // Lines that share a vertex hang together: each vertex leads on to another of its heap, the heap's first to itself.
-void OutlineEdges::leave_out_specks(std::vector<EdgeWithFace>& lines, const lines::Viewpoint& view,
-                                    double shortest) const {
+std::vector<EdgeWithFace> OutlineEdges::without_specks(std::vector<EdgeWithFace> lines, const lines::Viewpoint& view,
+                                                       double shortest) const {
+    if (shortest <= 0) return lines;
     const model::Topology& topology = surface_->topology();
     std::unordered_map<std::uint32_t, std::uint32_t> leads_to;
     const auto first_of = [&](std::uint32_t vertex) {
@@ -99,6 +98,7 @@ void OutlineEdges::leave_out_specks(std::vector<EdgeWithFace>& lines, const line
     std::erase_if(lines, [&](const EdgeWithFace& line) {
         return pixels.at(first_of(topology.edges[line.edge].vertices[0])) < shortest;
     });
+    return lines;
 }
 
 std::vector<EdgeWithFace> OutlineEdges::edges_of_faces(const lines::Viewpoint& view, Facing facing,

@@ -37,10 +37,8 @@ public:
     [[nodiscard]] const lines::Surface& surface() const { return *surface_; }
 
     /// Edges all whose shown faces lie on one side of them as the eye sees it: of a closed surface those between a face
-    /// that is turned to the eye and one that is not, and borders always. `shown` has an entry a mesh. Edges that hang
-    /// together are left out when they are shorter in all than `shortest` pixels of the picture.
-    [[nodiscard]] std::vector<EdgeWithFace> contours(const lines::Viewpoint& view, const std::vector<bool>& shown,
-                                                     double shortest = 0);
+    /// that is turned to the eye and one that is not, and borders always. `shown` has an entry a mesh.
+    [[nodiscard]] std::vector<EdgeWithFace> contours(const lines::Viewpoint& view, const std::vector<bool>& shown);
 
     enum class Facing { front, back };
     /// The edges of the faces that are turned to the eye, or away from it: what drawing those faces in line mode shows.
@@ -53,12 +51,15 @@ public:
     /// or materials meet, and what the model's author marked.
     [[nodiscard]] std::vector<EdgeWithFace> inner_edges(double crease_angle, const std::vector<bool>& shown) const;
 
+    /// The lines without those that hang together and are shorter in all than so many pixels of the picture.
+    [[nodiscard]] std::vector<EdgeWithFace> without_specks(std::vector<EdgeWithFace> lines,
+                                                           const lines::Viewpoint& view, double shortest) const;
+
 private:
     [[nodiscard]] bool bounds_its_faces(std::uint32_t edge, const lines::Viewpoint& view,
                                         const std::vector<bool>& shown) const;
     [[nodiscard]] std::vector<std::uint32_t> contour_candidates(const lines::Viewpoint& view,
                                                                 const std::vector<bool>& shown);
-    void leave_out_specks(std::vector<EdgeWithFace>& lines, const lines::Viewpoint& view, double shortest) const;
     [[nodiscard]] std::uint32_t third_corner(std::uint32_t edge, std::uint32_t face) const;
 
     std::shared_ptr<const lines::Surface> surface_;
