@@ -11,7 +11,7 @@ uniform bool draw_light;
 float tone(float cosine, float specular, vec3 surface_color) {
     float light = ambient + (1.0 - ambient) * max(cosine, 0.0) * color_intensity(light_color);
     float own = mix(1.0, color_intensity(surface_color), material_share);
-    float tone = light * own + highlight * specular;
+    float tone = light * own + highlight * specular * color_intensity(material_specular);
     return clamp((tone - tone_range.x) / max(tone_range.y - tone_range.x, 1e-4), 0.0, 1.0);
 }
 
@@ -19,14 +19,12 @@ float tone(float cosine, float specular, vec3 surface_color) {
 float ink_share(float tone) { return draw_light ? tone : 1.0 - tone; }
 
 #ifdef VERTEX_STAGE
-invariant gl_Position;  // strokes are drawn where a pass before has filled the depth
+invariant gl_Position;  // strokes are drawn where occluder.glsl has filled the depth
 
 vec4 transform_hatched() { return transform_surface(); }
 #endif
 
 #ifdef FRAGMENT_STAGE
-vec4 nothing() { return vec4(0.0); }
-
 uniform vec4 paper;               // what is known to lie under the strokes; alpha 0 where the frame alone knows
 uniform vec3 ink_color;
 uniform float material_ink;

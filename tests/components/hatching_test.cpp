@@ -95,6 +95,20 @@ TEST_F(HatchingTest, ChalkDrawsTheLight) {
     EXPECT_NEAR(mean_tone(stage.picture(chalk), 256), 0.75, 0.02);
 }
 
+TEST_F(HatchingTest, TheHighlightIsTheMaterials) {
+    // Seen along the normal in light along it, the specular factor is 1; the intensity is seed C's equation 4.5.
+    for (const glm::vec3& specular : {glm::vec3(0), glm::vec3(0.5f), glm::vec3(1, 0.5, 0)}) {
+        Shot shot = board_in_light(1, 300);
+        model::Material material = plain("glossy", {0, 0, 0});
+        material.specular = specular;
+        shot.model = model_of({{"board", quad_corners({-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0})}}, {material});
+        const image::Image picture =
+            Stage(studio(), shot).picture(toned(toned_styles[0], "highlight 0.8 ; material_share 1 ;"));
+        const double intensity = 0.3 * specular.x + 0.6 * specular.y + 0.1 * specular.z;
+        EXPECT_NEAR(mean_tone(picture, 256), 0.8 * intensity, 0.01);
+    }
+}
+
 // Four samples lie a quarter of a pixel from the pixel's centre. So their mean has three quarters of the texel there
 // and an eighth of each one beside it, along both axes.
 double mean_of_filtered_samples(const image::Image& picture, int x, int y) {
@@ -136,6 +150,28 @@ TEST_F(HatchingTest, PaperShowsBetweenStrokesAndHiddenSurfacesDoNot) {
         EXPECT_EQ(both, picture_of({{"far", far}, {"near", near}}, "objects \"near\" ;")) << style.component;
         const image::Image light = picture_of({{"near", near}}, "tone_range -1 0.1 ;");
         EXPECT_EQ(light.at(50, 50), glm::u8vec4(204, 153, 102, 255)) << "full light draws nothing";
+    }
+}
+
+TEST_F(HatchingTest, AStencilOutlineStaysOutside) {
+    const std::string paper = "pass background p { color 1 1 1 ; } ; ";
+    const std::string outline = " pass outline o { method \"stencil\" ; width 4 ; color 1 0 0 ; } ;";
+    for (const char* const component :
+         {"hatch_simple", "hatch_fine", "hatch_projective", "hatch_volume", "hatch_screen", "hatch_surface"}) {
+        for (const std::string& under : {std::string(), paper}) {
+            Stage stage(studio(), {.model = icosphere(2), .view = seen_from({1, 0.5, 1}), .width = 80, .height = 80});
+            const std::string hatching =
+                fmt::format("{}pass {} s {{ keep_color {} ; }} ;", under, component, !under.empty());
+            const image::Image plain = stage.picture(hatching), outlined = stage.picture(hatching + outline);
+            const image::Image shape = stage.picture("pass render_base b { clear_color 0 1 0 ; } ;");
+            int changed_inside = 0, changed_outside = 0;
+            for (std::size_t i = 0; i < shape.pixels().size(); ++i) {
+                const bool is_outside = shape.pixels()[i] == glm::u8vec4(0, 255, 0, 255);
+                (is_outside ? changed_outside : changed_inside) += plain.pixels()[i] != outlined.pixels()[i];
+            }
+            EXPECT_EQ(changed_inside, 0) << component;
+            EXPECT_GT(changed_outside, 300) << component;
+        }
     }
 }
 
