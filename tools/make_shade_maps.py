@@ -49,9 +49,10 @@ def with_stripes(diffuse_tone, edges, highlight_edge, half_width):
 
 def checkerboard(diffuse, specular):
     """Fields of light and dark by turns, lighter towards the light (figure 26d)."""
-    is_light = (int(diffuse * 8) + int(specular * 8)) % 2 == 0
-    mean = 0.42 + 0.3 * diffuse + 0.15 * specular
-    return grey(min(mean + 0.2, 1.0) if is_light else mean - 0.22)
+    # Large ones: on a body of many bulges smaller fields are noise.
+    column, row = int(diffuse * 4), int(specular * 3)
+    mean = 0.4 + 0.1 * column + 0.06 * row
+    return grey(min(mean + 0.2, 1.0) if (column + row) % 2 == 1 else mean - 0.16)
 
 
 def metal(diffuse, specular):

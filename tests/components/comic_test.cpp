@@ -171,7 +171,8 @@ protected:
                             : r_dot_v_expanded(glm::dot(to_light, to_eye), glm::dot(n, own_light), glm::dot(n, to_eye));
                     return std::pow(std::max(reflected, 0.0), exponent);
                 });
-                const auto column = texel(diffuse, map.width()), row = texel(specular, map.height());
+                if (std::abs(diffuse) < 2e-3) return std::nullopt;
+                const auto column = texel(diffuse, map.width()), row = texel(diffuse > 0 ? specular : 0, map.height());
                 if (!column || !row) return std::nullopt;
                 return opaque(glm::dvec3(lit.light.color) * map_color(map, *column, *row));
             },
@@ -207,6 +208,32 @@ TEST_F(ComicExtended, LightAtEachPixelIsTheDirectForm) {
             return opaque(glm::dvec3(lit.light.color) * map_color(map, *column, *row));
         },
         0.2);
+}
+
+// Light from behind is mirrored towards the eye by the surfaces that it does not reach.
+TEST_F(ComicExtended, NothingShinesOnTheUnlitSide) {
+    const framework::Light light{framework::Light::Bound::world, framework::Light::Kind::direction, {0.2, -0.3, -1}};
+    Stage stage(studio(), {.model = icosphere(3), .view = seen_from({0, 0, 1}), .light = light});
+    const Lit lit{stage.model().materials.front(), stage.camera(), light};
+    const RayCaster rays(stage.model(), stage.camera(), stage.width(), stage.height());
+    for (const std::string component : {"comic_extended", "comic_extended_per_pixel"}) {
+        const image::Image picture =
+            stage.picture("pass " + component +
+                          " c { shade_map \"shade:additive:0\" ; color_share 0 ; full_light 1 ; softness 0 ; } ;");
+        int mirrored = 0;
+        expect_pixels(
+            picture,
+            [&](int x, int y) -> std::optional<glm::vec4> {
+                const auto hit = rays.is_certain(x, y) ? rays.pixel(x, y) : std::nullopt;
+                if (!hit) return std::nullopt;
+                const glm::dvec3 to_light = lit.to_light(hit->position);
+                if (glm::dot(hit->normal, to_light) > -0.02) return std::nullopt;
+                mirrored += r_dot_v_direct(hit->normal, to_light, lit.to_eye(hit->position)) > 0.9;
+                return glm::vec4(0, 0, 0, 1);
+            },
+            1.5, 1.0);
+        EXPECT_GT(mirrored, 20) << "pixels where the equation alone would shine";
+    }
 }
 
 // Figure 25b.
