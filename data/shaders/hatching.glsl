@@ -7,7 +7,8 @@ uniform float material_share;
 uniform float highlight;
 uniform bool draw_light;
 
-// How light a surface is to be, 0 to 1, from the cosine to the light, the specular factor, and the surface's own colour.
+// How light a surface is to be, 0 to 1, from the cosine to the light, the specular factor, and the surface's own
+// colour.
 float tone(float cosine, float specular, vec3 surface_color) {
     float light = ambient + (1.0 - ambient) * max(cosine, 0.0) * color_intensity(light_color);
     float own = mix(1.0, color_intensity(surface_color), material_share);
@@ -43,9 +44,16 @@ float ink_of_light(vec3 surface_color) {
     return ink_share(tone(dot(normal, to_light), specular, surface_color));
 }
 
+// A pencil of the surface's colour: with half of its white taken away, so that strokes of light colours are seen on
+// paper and hues stay as they are. Chalk keeps it.
+vec3 pencil_color(vec3 surface_color) {
+    float white = min(min(surface_color.r, surface_color.g), surface_color.b);
+    return draw_light ? surface_color : surface_color - 0.5 * white;
+}
+
 // Ink that covers a share of the paper, multiplied by alpha.
 vec4 inked(float share, vec3 surface_color) {
-    vec3 color = mix(ink_color, surface_color, material_ink);
+    vec3 color = mix(ink_color, pencil_color(surface_color), material_ink);
     float under = (1.0 - share) * paper.a;
     return vec4(color * share + paper.rgb * under, share + under);
 }

@@ -4,7 +4,7 @@
 #include "tonal.glsl"
 
 uniform float texcoord_scale;  // images a scene unit; 0 where texture coordinates cannot carry strokes
-uniform float images_at_one;   // of strokes, along a scene unit where gl_FragCoord.w is 1: all over a parallel projection
+uniform float images_at_one;   // of strokes along a scene unit, at the eye distance 1; in a parallel projection, at any
 uniform vec4 strokes_turn;     // a rotation, column by column
 
 #ifdef VERTEX_STAGE

@@ -109,6 +109,23 @@ TEST_F(HatchingTest, TheHighlightIsTheMaterials) {
     }
 }
 
+TEST_F(HatchingTest, PencilsOfLightColoursAreSeenOnPaper) {
+    // In the dark all is ink: on white paper half of the colour's white is left, in chalk all of it.
+    Shot shot = board_in_light(0, 40);
+    for (const glm::vec3& color : {glm::vec3(1), glm::vec3(0.8f), glm::vec3(0.8, 0.6, 0.2), glm::vec3(0.6, 0, 0.4)}) {
+        shot.model = model_of({{"board", quad_corners({-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0})}},
+                              {plain("colour", color)});
+        const auto middle = [&](const std::string& more) {
+            return Stage(studio(), shot).picture(toned(toned_styles[0], "material_ink 1 ; " + more)).at(20, 20);
+        };
+        const glm::u8vec4 pencil = middle(""), chalk = middle("draw_light true ; ambient 1 ;");
+        for (int c = 0; c < 3; ++c) {
+            EXPECT_NEAR(pencil[c], 255 * (color[c] - 0.5 * std::min({color.x, color.y, color.z})), 1);
+            EXPECT_NEAR(chalk[c], 255 * color[c], 1);
+        }
+    }
+}
+
 // Four samples lie a quarter of a pixel from the pixel's centre. So their mean has three quarters of the texel there
 // and an eighth of each one beside it, along both axes.
 double mean_of_filtered_samples(const image::Image& picture, int x, int y) {
@@ -247,11 +264,29 @@ TEST_F(HatchingTest, TheMapSaysHowTransparentTheStrokesAre) {
     }
 }
 
+// Seven even tones in two sizes: 10 to 50 between the first and the last.
+image::Image tonal_image(int first, int last) {
+    image::Image image(4, 14);
+    for (int y = 0; y < 14; ++y) {
+        const int tone = y < 2 ? first : y < 12 ? y / 2 * 10 : last;
+        for (int x = 0; x < 4; ++x) image.at(x, y) = glm::u8vec4(std::uint8_t(tone));
+    }
+    return image;
+}
+
 TEST_F(HatchingTest, TellsOfStrokesThatDoNotFit) {
     EXPECT_EQ(error_of([] { (void)studio().open("pass hatch_screen s { strokes \"\" ; } ;"); }),
               "test.technique:1:1: pass \"s\": expected an image of strokes, found none");
-    EXPECT_EQ(error_of([] { (void)framework::cut_volume(image::Image(4, 10), "a.png"); }),
-              "a.png: expected the square slices of a volume below each other, found 4 x 10 pixels");
+    for (const auto& [width, height] : {std::pair(4, 10), {4, 4}}) {
+        EXPECT_EQ(
+            error_of([&] { (void)framework::cut_volume(image::Image(width, height), "a.png"); }),
+            fmt::format("a.png: expected two or more square slices of a volume below each other, found {} x {} pixels",
+                        width, height));
+    }
+    for (const auto& [first, last] : {std::pair(250, 0), {255, 4}, {0, 255}}) {
+        EXPECT_EQ(error_of([&] { (void)framework::cut_tonal(tonal_image(first, last), "a.png"); }),
+                  fmt::format("a.png: expected tones from white (255) to black (0), found {}.0 to {}.0", first, last));
+    }
     for (const auto& [width, height] : {std::pair(6, 12), {8, 20}, {8, 18}, {1, 4}}) {
         EXPECT_EQ(error_of([&] { (void)framework::cut_tonal(image::Image(width, height), "a.png"); }),
                   fmt::format("a.png: expected 4, 7, 10, ... tones below each other, each half as high as the image is "
@@ -261,13 +296,11 @@ TEST_F(HatchingTest, TellsOfStrokesThatDoNotFit) {
 }
 
 TEST_F(HatchingTest, TonalImagesAreCutIntoLayersOfFourTones) {
-    image::Image image(4, 14);
-    for (int tone = 0; tone < 7; ++tone) image.at(2, 2 * tone) = glm::u8vec4(std::uint8_t(10 * tone));
-    const std::vector<gpu::Slices> levels = framework::cut_tonal(image, "a.png");
+    const std::vector<gpu::Slices> levels = framework::cut_tonal(tonal_image(255, 0), "a.png");
     ASSERT_EQ(levels.size(), 2u);
     EXPECT_EQ(levels[0].pixels.size(), 2u * 2 * 2 * 4);
     EXPECT_EQ(levels[1].count, 2);
-    EXPECT_EQ(levels[1].pixels, (std::vector<std::uint8_t>{0, 10, 20, 30, 30, 40, 50, 60}));
+    EXPECT_EQ(levels[1].pixels, (std::vector<std::uint8_t>{255, 10, 20, 30, 30, 40, 50, 0}));
 }
 
 }  // namespace
