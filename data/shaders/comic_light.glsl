@@ -32,8 +32,9 @@ uniform vec3 shadow_color;
 float run(float value) { return float(pixel_scale) * length(vec2(dFdx(value), dFdy(value))); }
 float run(vec3 value) { return float(pixel_scale) * max(length(dFdx(value)), length(dFdy(value))); }
 
-// The half vector after all that is done to it; `detail` says how much of the splitting and squaring is done. `across` and `along` are the highlight's axes, tangent to the surface:
+// The half vector after all that is done to it. `across` and `along` are the highlight's axes, tangent to the surface:
 // the picture's right and up laid on it, where the paper takes the surface's own coordinates, which few models have.
+// `detail` says how much of the splitting (x) and the squaring (y) is done.
 vec3 styled_half_vector(vec3 half_vector, vec3 normal, vec2 detail) {
     vec3 right = vec3(eye_from_scene[0][0], eye_from_scene[1][0], eye_from_scene[2][0]);
     vec3 across = normalize(right - dot(right, normal) * normal + vec3(1e-5));

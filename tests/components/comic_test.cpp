@@ -76,10 +76,10 @@ glm::vec4 opaque(const glm::dvec3& color) { return {glm::clamp(glm::vec3(color),
 using Comic = Shading;
 
 TEST_F(Comic, InterpolatesTheIndexAndDarkensByTable5) {
-    const image::Image map = map_image("shade", "three_tone");
+    const image::Image map = map_image("shade", "three_shares");
     for (const auto& [darkening, gain] : {std::pair(0.242, 0.12), std::pair(0.155, 0.042), std::pair(0.9, -0.3)}) {
         expect_shaded(
-            fmt::format("pass comic c {{ shade_map \"shade:three_tone:0\" ; softness 0 ; darkening {} ; "
+            fmt::format("pass comic c {{ shade_map \"shade:three_shares:0\" ; softness 0 ; darkening {} ; "
                         "saturation_gain {} ; }} ;",
                         darkening, gain),
             1,
