@@ -279,16 +279,16 @@ TEST_F(HatchingTest, TellsOfStrokesThatDoNotFit) {
               "test.technique:1:1: pass \"s\": expected an image of strokes, found none");
     for (const auto& [width, height] : {std::pair(4, 10), {4, 4}}) {
         EXPECT_EQ(
-            error_of([&] { (void)framework::cut_volume(image::Image(width, height), "a.png"); }),
+            error_of([w = width, h = height] { (void)framework::cut_volume(image::Image(w, h), "a.png"); }),
             fmt::format("a.png: expected two or more square slices of a volume below each other, found {} x {} pixels",
                         width, height));
     }
     for (const auto& [first, last] : {std::pair(250, 0), {255, 4}, {0, 255}}) {
-        EXPECT_EQ(error_of([&] { (void)framework::cut_tonal(tonal_image(first, last), "a.png"); }),
+        EXPECT_EQ(error_of([a = first, b = last] { (void)framework::cut_tonal(tonal_image(a, b), "a.png"); }),
                   fmt::format("a.png: expected tones from white (255) to black (0), found {}.0 to {}.0", first, last));
     }
     for (const auto& [width, height] : {std::pair(6, 12), {8, 20}, {8, 18}, {1, 4}}) {
-        EXPECT_EQ(error_of([&] { (void)framework::cut_tonal(image::Image(width, height), "a.png"); }),
+        EXPECT_EQ(error_of([w = width, h = height] { (void)framework::cut_tonal(image::Image(w, h), "a.png"); }),
                   fmt::format("a.png: expected 4, 7, 10, ... tones below each other, each half as high as the image is "
                               "wide, and that a power of two; found {} x {} pixels",
                               width, height));
