@@ -17,6 +17,7 @@ public:
         float push_back = 0;  ///< gpu::DrawState's
         /// Each mesh is drawn so large about its middle: below 1, lines that were moved off the surface are kept.
         float scale = 1;
+        float inset = 0;  ///< scene units by which the surface is drawn in along its normals, for the same
         /// That of the draws to come: another order of vertices rounds to another depth.
         framework::SurfaceKind kind = framework::SurfaceKind::smooth;
     };
@@ -26,6 +27,7 @@ public:
                     const Options& options) const {
         program_->use();
         context.apply(*program_);
+        program_->set("occluder_inset", options.inset);
         context.scene.draw_surfaces(
             selection, *program_,
             {.depth_test = gpu::DepthTest::nearer,

@@ -120,7 +120,7 @@ protected:
         context.frame.bind();
         if (occlude_.value()) {
             occluder_.fill_depth(context, framework::ObjectSelection(objects_.value()),
-                                 {.scale = occluder_scale_.value()});
+                                 {.scale = occluder_scale_.value(), .inset = ink_reach()});
         }
         draw_lines(context);
     }
@@ -130,6 +130,12 @@ private:
     static constexpr float behind_surface = -2e-4f;
     // And those that are to show on it, so many of their widths before it: surfaces may slope as much beside them.
     static constexpr float widths_before_surface = 1.5f;
+
+    // How far lines in ink are off the surface, which must not swallow them: where it is round it is drawn in by as
+    // much, where it is flat the lines are drawn before it.
+    [[nodiscard]] float ink_reach() const {
+        return method_named(method_.value()) == Method::ink ? offset_.value() : 0.0f;
+    }
 
     void draw_lines(RenderContext& context) {
         constexpr gpu::DrawState ink{.depth_test = gpu::DepthTest::nearer_or_equal, .blend = gpu::Blend::over};
@@ -147,8 +153,7 @@ private:
                 draw(context, *lines_, found_, ink, {width, true, -halo_depth_.value()});
                 break;
             case Method::ink:
-                // Nearer by what they may be off, so that the surface does not swallow them.
-                draw(context, *lines_, found_, ink, {width, false, 2 * offset_.value()});
+                draw(context, *lines_, found_, ink, {width, false, 2 * ink_reach()});
                 break;
             case Method::stencil_lines:
                 draw_through_stencil(context, ink);
