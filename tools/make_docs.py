@@ -40,7 +40,7 @@ SHOWN_WITH = {
 # The README's picture: one view in three techniques, each over a slanted share of the width.
 WIDE = (1600, 640)
 WIDE_VIEW = ("--eye=0.2,2.1,5.2", "--target=-0.05,1.12,0", "--fov=38", "--background=paper:watercolour")
-WIDE_TECHNIQUES = ("ink_lines", "cartoon", "phong")
+WIDE_TECHNIQUES = ("hatching_ink", "comic", "phong")
 WIDE_CUTS = (0.37, 0.62)  # where the slanted cuts cross the middle, as shares of the width
 SLANT = 90  # pixels from top to bottom
 

@@ -2,7 +2,8 @@
 
 Source: seeds A, 3.3 and 3.6.1 with its figures 22, 24 and 26. A map of one row stands for the
 diffuse light N.L of 0 to 1 from left to right. A square map has the specular light (R.V)^n
-from bottom to top beside it. The maps need clamping and must not be mipmapped.
+from bottom to top beside it. Those called "shares" hold shares of light, not tones: there the
+component makes the tones, and 0 is not black. The maps need clamping and must not be mipmapped.
 """
 
 from make_toon_maps import METAL, grey, ramp
@@ -49,12 +50,13 @@ def with_stripes(diffuse_tone, edges, highlight_edge, half_width):
 
 def checkerboard(diffuse, specular):
     """Fields of light and dark by turns, lighter towards the light (figure 26d)."""
-    is_light = (int(diffuse * 8) + int(specular * 8)) % 2 == 0
-    mean = 0.42 + 0.3 * diffuse + 0.15 * specular
-    return grey(min(mean + 0.2, 1.0) if is_light else mean - 0.22)
+    # Large ones: on a body of many bulges smaller fields are noise.
+    column, row = int(diffuse * 4), int(specular * 3)
+    mean = 0.4 + 0.1 * column + 0.06 * row
+    return grey(min(mean + 0.2, 1.0) if (column + row) % 2 == 1 else mean - 0.16)
 
 
-def metal(diffuse, specular):
+def polished(diffuse, specular):
     """Bands of mirrored surroundings, which the highlight moves and outshines (figure 26e)."""
     mirrored = ramp(METAL)(diffuse, min(diffuse + 0.25 * specular, 1.0) * (WIDTH - 1))
     return blend(mirrored, grey(1.0), smoothstep(0.35, 0.6, specular))
@@ -81,18 +83,17 @@ NAVY, PAPER = (0.09, 0.20, 0.38), (0.98, 0.93, 0.82)
 GREYS, GREY_EDGES = [0.34, 0.56, 0.76], [0.18, 0.55]
 
 ROWS = {
-    "two_tone": bands([0.0, 1.0], [0.35]),
-    "three_tone": bands([0.0, 0.6, 1.0], [0.15, 0.5]),
-    "monochrome": bands([0.0, 1.0], [0.3]),
+    "two_shares": bands([0.0, 1.0], [0.35]),
+    "three_shares": bands([0.0, 0.6, 1.0], [0.15, 0.5]),
     "duotone": bands([NAVY, PAPER], [0.38]),
 }
 
 SQUARES = {
-    "flat": with_highlight(bands([0.55, 0.8], [0.3]), grey(1.0), 0.5),
+    "flat_highlight": with_highlight(bands([0.55, 0.8], [0.3]), grey(1.0), 0.5),
     "banded": with_highlight(bands(GREYS, GREY_EDGES), grey(1.0), 0.3),
     "striped": with_stripes(bands(GREYS, GREY_EDGES), GREY_EDGES, 0.4, 0.018),
     "checker": checkerboard,
-    "metal": metal,
+    "polished": polished,
     "additive": additive,
     "smooth": smooth,
     "sunset": with_highlight(bands([INDIGO, PLUM, CORAL, AMBER], [0.12, 0.36, 0.68]), CREAM, 0.5),

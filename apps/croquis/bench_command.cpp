@@ -3,6 +3,7 @@
 
 #include <charconv>
 #include <filesystem>
+#include <limits>
 #include <system_error>
 
 #include "base/error.h"
@@ -15,7 +16,7 @@
 #include "orientation_table.h"
 #include "parse.h"
 #include "progress.h"
-#include "subdivision_options.h"
+#include "shape_options.h"
 
 namespace croquis::app {
 namespace {
@@ -26,7 +27,7 @@ struct BenchOptions {
     Common common;
     std::string model;
     std::string texture;
-    SubdivisionOptions subdivision;
+    ShapeOptions shape;
     std::string techniques =
         "base,cel,comic,comic_extended,outline_stencil,outline_front_face,hatching_simple,hatching_fine,cartoon";
     std::string size = "620x500";
@@ -42,7 +43,7 @@ struct BenchOptions {
 void BenchOptions::add_to(CLI::App& command) {
     command.add_option("model", model, "Model file; a built-in teapot where none is named");
     command.add_option("--texture", texture, "Image for all surfaces in place of the materials' own");
-    subdivision.add_to(command);
+    shape.add_subdivision_to(command);
     command
         .add_option("-t,--techniques", techniques,
                     "Names or .technique files, A,B,..., or all; phong, the default renderer, is always measured")
@@ -61,7 +62,8 @@ void BenchOptions::add_to(CLI::App& command) {
         ->capture_default_str();
     command.add_option("--triangles", triangles, "Levels of detail of N,N,... triangles, in place of --levels");
     command
-        .add_option("--frames", protocol.frames, "Frames of each technique at each level, unless --seconds end first")
+        .add_option("--frames", protocol.frames,
+                    "Frames of each technique at each level, unless --seconds end first; at least 11")
         ->check(check_whole_number)
         ->capture_default_str();
     command.add_option("--seconds", protocol.seconds, "Seconds for each technique at each level")
@@ -83,24 +85,17 @@ std::vector<std::string> techniques_of(const BenchOptions& options, const Render
 }
 
 std::vector<std::size_t> parse_triangles(const std::string& text) {
+    constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max();  // as meshes count them
     std::vector<std::size_t> counts;
     for (const std::string& word : split(text, ",")) {
         std::size_t count = 0;
         const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), count);
-        if (error != std::errc() || end != word.data() + word.size() || count == 0) {
-            fail("--triangles: expected whole numbers above 0, found \"{}\"", text);
+        if (error != std::errc() || end != word.data() + word.size() || count == 0 || count > most) {
+            fail("--triangles: expected whole numbers of 1 to {}, found \"{}\"", most, text);
         }
         counts.push_back(count);
     }
     return counts;
-}
-
-// Refuses before anything is measured what could not be written after it.
-void check_output(const std::string& path) {
-    if (path.empty() || path == "-") return;
-    const fs::path folder = fs::path(path).parent_path();
-    std::error_code error;
-    if (!folder.empty() && !fs::is_directory(folder, error)) fail("{}: no such folder", folder.string());
 }
 
 std::string plot_format(const std::string& path) {
@@ -110,10 +105,17 @@ std::string plot_format(const std::string& path) {
     return ending.substr(1);
 }
 
+// What has no meaning in place of techniques.
+void check_orientation(const CLI::App& command) {
+    for (const char* option : {"--techniques", "--json", "--plot", "--levels", "--passes", "--stability"}) {
+        if (command.count(option) > 0) fail("--orientation compares no techniques: it does not go with {}", option);
+    }
+}
+
 // Seed A's tables 6 to 9: of the model, or of its levels of detail of so many triangles.
 int compare_orientations(const BenchOptions& options) {
     const std::string path = options.model.empty() ? built_in_model_path(options.common) : options.model;
-    const Model model = options.subdivision.applied_to(Model::load(path));
+    const Model model = options.shape.applied_to(Model::load(path));
     FaceOrientationOptions views;
     views.view.direction = parse_view(options.direction);
     std::vector<std::size_t> counts = parse_triangles(options.triangles);
@@ -125,19 +127,21 @@ int compare_orientations(const BenchOptions& options) {
 }
 
 int run(const BenchOptions& options) {
-    if (options.orientation) return compare_orientations(options);
     bench::Protocol protocol = options.protocol;
     const Size pixels = parse_size(options.size, "--size");
     protocol.width = pixels.width;
     protocol.height = pixels.height;
     protocol.direction = parse_view(options.direction);
     protocol.triangles = parse_triangles(options.triangles);
-    for (const std::string& path : {options.json, options.plot}) check_output(path);
     if (!options.plot.empty()) (void)plot_format(options.plot);
+    // Refused before anything is measured: what could not be written after it.
+    for (const std::string& path : {options.json, options.plot}) {
+        if (!path.empty()) check_writable(path);
+    }
     Renderer renderer = Renderer::headless(options.common.choice());
     protocol.techniques = techniques_of(options, renderer);
     const std::string path = options.model.empty() ? built_in_model_path(options.common) : options.model;
-    const Model model = options.subdivision.applied_to(Model::load(path, options.texture));
+    const Model model = options.shape.applied_to(Model::load(path, options.texture));
     Progress progress(bench::step_count(protocol));
     const bench::Benchmark result = bench::measure(renderer, model, fs::path(path).filename().string(), protocol,
                                                    [&](const std::string& what) { progress.next(what); });
@@ -154,7 +158,11 @@ void add_bench_command(CLI::App& program, Commands& commands) {
     CLI::App* command = program.add_subcommand("bench", "Measures techniques against the default renderer");
     const auto options = std::make_shared<BenchOptions>();
     options->add_to(*command);
-    commands[command] = [options] { return run(*options); };
+    commands[command] = [options, command] {
+        if (!options->orientation) return run(*options);
+        check_orientation(*command);
+        return compare_orientations(*options);
+    };
 }
 
 }  // namespace croquis::app

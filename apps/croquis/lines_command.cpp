@@ -12,7 +12,7 @@
 #include "commands.h"
 #include "parse.h"
 #include "progress.h"
-#include "subdivision_options.h"
+#include "shape_options.h"
 #include "view_options.h"
 
 namespace croquis::app {
@@ -44,7 +44,7 @@ struct LinesOptions {
     bool plotter = false;
     bool clean = false, exact = false;
     std::string visibility = "automatic", finder = "automatic";
-    SubdivisionOptions subdivision;
+    ShapeOptions shape;
     std::uint64_t seed = 0;
     bool timings = false;
     int repeat = 1;
@@ -116,7 +116,7 @@ void LinesOptions::add_lines_to(CLI::App& command) {
         .add_option("--finder", finder,
                     "Of silhouettes: automatic, exhaustive, hierarchy, randomised, gauss_map, gauss_map_overlapping")
         ->capture_default_str();
-    subdivision.add_to(command);
+    shape.add_subdivision_to(command);
     command.add_option("--seed", seed, "Seed of everything random")->check(check_whole_number)->capture_default_str();
 }
 
@@ -321,7 +321,7 @@ int run(const LinesOptions& options) {
     std::string bytes;
     for (int i = 0; i < options.repeat; ++i) {
         const Clock::time_point start = Clock::now();
-        const Model model = options.subdivision.applied_to(Model::load(options.model));
+        const Model model = options.shape.applied_to(Model::load(options.model));
         const double load_time = milliseconds_since(start);
         const LineDrawing drawing = draw_lines(model, find);
         const Clock::time_point before_write = Clock::now();

@@ -11,7 +11,7 @@
 #include "commands.h"
 #include "parse.h"
 #include "progress.h"
-#include "subdivision_options.h"
+#include "shape_options.h"
 #include "view_options.h"
 
 namespace croquis::app {
@@ -34,8 +34,7 @@ struct RenderOptions {
     std::string background;
     int samples = 1;
     std::string texture;
-    std::size_t simplify = 0;
-    SubdivisionOptions subdivision;
+    ShapeOptions shape;
     std::uint64_t seed = 0;
     std::string output;
     std::string reference;
@@ -68,9 +67,8 @@ void RenderOptions::add_to(CLI::App& command) {
         ->check(check_whole_number)
         ->capture_default_str();
     command.add_option("--texture", texture, "Image for all surfaces in place of the materials' own");
-    command.add_option("--simplify", simplify, "Draw the model in so many triangles, where it has more")
-        ->check(check_whole_number);
-    subdivision.add_to(command);
+    shape.add_simplification_to(command);
+    shape.add_subdivision_to(command);
     command.add_option("--seed", seed, "Seed of everything random")->check(check_whole_number)->capture_default_str();
     command.add_option("--reference", reference, "Picture to compare with; exit status 1 when it differs");
     command.add_option("--threshold", threshold, "Largest mean difference, or MEAN,MAXIMUM, in levels of 0 to 255")
@@ -172,9 +170,7 @@ int run(const RenderOptions& options) {
     for (const Job& job : jobs) {
         progress.next(job.model);
         try {
-            Model loaded = Model::load(job.model, options.texture);
-            if (options.simplify > 0) loaded = loaded.simplified(options.simplify);
-            const Model model = options.subdivision.applied_to(std::move(loaded));
+            const Model model = options.shape.applied_to(Model::load(job.model, options.texture));
             const Picture picture = renderer.draw(model, technique, draw);
             if (!options.reference.empty()) all_match = matches_reference(picture, options) && all_match;
             if (!job.output.empty()) picture.save(job.output);

@@ -16,9 +16,6 @@ vec4 ids() {
     return vec4(vec3(uvec3(mixed >> 16, mixed >> 8, mixed) & 0xffu) / 255.0, 1.0);
 }
 
-// For passes that only fill the depth buffer.
-vec4 nothing() { return vec4(0.0); }
-
 // All that edge_detect needs, in two outputs: normals and distances, as packing.glsl has them.
 vec4 packed_attributes() {
     vec3 normal = facing_normal();

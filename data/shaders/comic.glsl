@@ -5,7 +5,7 @@
 #include "tones.glsl"
 
 between float n_dot_l;         // negative where the other side is lit
-flat between vec3 face_color;  // one colour a triangle, whatever its vertices' (seed A, 3.6.2)
+flat between vec3 face_color;  // one a triangle (seed A, 3.6.2), which its last vertex holds
 
 #ifdef VERTEX_STAGE
 vec4 comic_transform() {

@@ -14,6 +14,7 @@ vec4 extended_transform() {
 
 #ifdef FRAGMENT_STAGE
 vec4 comic_extended() {
-    return vec4(painted(covered_tone(shade_map_sampler, vec2(seen_n_dot_l(), specular_light))), 1.0);
+    float diffuse = seen_n_dot_l();
+    return vec4(painted(covered_tone(shade_map_sampler, vec2(diffuse, shining(specular_light, diffuse)))), 1.0);
 }
 #endif

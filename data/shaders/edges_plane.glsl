@@ -1,6 +1,7 @@
 // Edges whose thresholds hold from near to far, and lines of any width along them. What is compared is not the depth
 // but how far a neighbour lies from the tangent plane, and not how much the surface bends but how much more than beside
 // the edge: neither changes with the distance of the eye.
+#include "coverage.glsl"
 #include "packing.glsl"
 
 uniform int pixel_scale;
@@ -101,7 +102,6 @@ vec4 draw() {
         nearest = min(nearest, min(squared.x, squared.y));
     }
     float half_width = 0.5 * width * float(pixel_scale);
-    float coverage = clamp(half_width + 0.5 - sqrt(nearest), 0.0, min(2.0 * half_width, 1.0));
-    return vec4(color.rgb, color.a * coverage);
+    return vec4(color.rgb, color.a * line_coverage(sqrt(nearest), half_width));
 }
 #endif

@@ -6,7 +6,7 @@
 layout(location = 4) in vec3 facet_normal;      // the sum of the vertices' normals
 layout(location = 5) in vec4 facet_place;       // the barycentre, and the longest side
 layout(location = 6) in vec2 facet_coordinate;  // of the texture, at the barycentre
-layout(location = 7) in vec4 facet_color;       // the mean of the vertices' colours
+layout(location = 7) in vec4 facet_color;       // of two of the vertices, else the mean
 
 vec3 facet_barycentre() { return (scene_from_model * vec4(facet_place.xyz, 1.0)).xyz; }
 

@@ -1,5 +1,6 @@
 // Hatching by one image of strokes in the picture's plane, more or less transparent by the light: seed A, 4.6.2.
 #include "hatching.glsl"
+#include "tone_map.glsl"
 
 uniform vec2 thresholds;
 
@@ -31,9 +32,7 @@ vec4 by_vertex() { return inked((gl_FrontFacing ? vertex_ink.x : vertex_ink.y) *
 // A one-dimensional map, found by the light and not repeated, says how transparent the strokes are (figure 51).
 vec4 by_map() {
     vec3 color = surface_color();
-    float half_texel = 0.5 / float(textureSize(transparency_sampler, 0).x);
-    float place = clamp(1.0 - ink_of_light(color), half_texel, 1.0 - half_texel);
-    float opacity = 1.0 - textureLod(transparency_sampler, vec2(place, 0.5), 0.0).r;
+    float opacity = 1.0 - map_tone(transparency_sampler, 1.0 - ink_of_light(color)).r;
     return inked(opacity * stroke_ink(), color);
 }
 #endif

@@ -1,5 +1,6 @@
-// Outlines: quads along edges of the surface, one instance an edge (src/components/outline_edges.h). Seed A, 3.4; seed B,
+// Outlines: quads along edges of the surface, four vertices an edge that hold the same (src/components/outline_edges.h). Seed A, 3.4; seed B,
 // chapter 4; seed E, 10.3.1.
+#include "coverage.glsl"
 
 uniform mat4 clip_from_scene;
 uniform vec2 frame_size;
@@ -9,7 +10,7 @@ uniform float line_width;       // pixels of the picture, or scene units
 uniform bool in_model_units;
 uniform float pixels_per_unit;  // pixels of the frame along a scene unit at w = 1
 uniform bool only_outside;      // on the side away from the surface; else half on either side
-uniform float towards_eye;      // scene units by which the line is drawn nearer than it is
+uniform float towards_eye;         // scene units by which the line is drawn nearer than it is
 uniform float widths_towards_eye;  // the same in widths of the line
 uniform vec2 depth_terms;       // of the projection: z = depth_terms.x * z_eye + depth_terms.y
 
@@ -24,16 +25,15 @@ layout(location = 2) in vec3 edge_inside;  // on the side of the edge where the 
 layout(location = 3) in vec4 start_color;
 layout(location = 4) in vec4 end_color;
 
-const float smallest_w = 1e-5;
 const float overlap = 1.0;  // pixels that a line on the outside reaches in, for the surface to cover
 
-// The part of the edge before the eye: an end behind it is drawn back to where w is still positive.
-void clip_behind_eye(inout vec4 start, inout vec4 end) {
-    if (start.w < smallest_w && end.w > smallest_w) {
-        start = mix(start, end, (smallest_w - start.w) / (end.w - start.w));
-    } else if (end.w < smallest_w && start.w > smallest_w) {
-        end = mix(end, start, (smallest_w - end.w) / (start.w - end.w));
-    }
+// Cuts the edge at the near plane. False when all of it lies before that.
+bool clip_at_near_plane(inout vec4 start, inout vec4 end) {
+    float start_behind = start.z + start.w, end_behind = end.z + end.w;
+    if (start_behind <= 0.0 && end_behind <= 0.0) return false;
+    if (start_behind < 0.0) start = mix(end, start, end_behind / (end_behind - start_behind));
+    if (end_behind < 0.0) end = mix(start, end, start_behind / (start_behind - end_behind));
+    return true;
 }
 
 // 1 where the surface lies to the left of the edge, -1 to the right. Holds for points behind the eye too.
@@ -60,14 +60,14 @@ vec4 outline_corner() {
     vec4 start = clip_from_scene * vec4(edge_start, 1.0);
     vec4 end = clip_from_scene * vec4(edge_end, 1.0);
     float side = side_of_surface(start, end, clip_from_scene * vec4(edge_inside, 1.0));
-    clip_behind_eye(start, end);
+    if (!clip_at_near_plane(start, end)) return vec4(0.0, 0.0, 2.0, 1.0);  // outside the frame
     vec2 half_frame = 0.5 * frame_size;
     vec2 from = start.xy / start.w * half_frame, to = end.xy / end.w * half_frame;
     float pixels = distance(from, to);
     vec2 direction = pixels > 1e-6 ? (to - from) / pixels : vec2(1.0, 0.0);
     vec2 outwards = side * vec2(direction.y, -direction.x);
 
-    bool at_end = gl_VertexID >= 2, is_outer = (gl_VertexID & 1) == 0;
+    bool at_end = (gl_VertexID & 2) != 0, is_outer = (gl_VertexID & 1) == 0;
     vec4 position = at_end ? end : start;
     float width = only_outside ? width_at(position) : 0.5 * width_at(position);
     float reach = width + 0.5;
@@ -85,8 +85,8 @@ vec4 outline_corner() {
 float coverage() {
     float past_end = max(max(along.x, along.y), 0.0);
     float from_edge = length(vec2(past_end, across.x));
-    float thinness = only_outside ? across.y : 2.0 * across.y;
-    return clamp(across.y + 0.5 - from_edge, 0.0, min(thinness, 1.0));
+    // A line on the outside has its other half on the surface, where it does not show.
+    return only_outside ? clamp(across.y + 0.5 - from_edge, 0.0, min(across.y, 1.0)) : line_coverage(from_edge, across.y);
 }
 
 vec4 outline() { return vec4(ink, coverage()); }

@@ -1,5 +1,6 @@
 // Specular light (R·V)^n of the extended comic (seed A, 3.6.1).
 #include "scene.glsl"
+#include "step_edges.glsl"
 
 uniform float shininess;  // the exponent; 0: the material's own
 uniform int view_vector;  // 0: from each point, 1: one for all
@@ -14,3 +15,8 @@ float specular_at(vec3 position, vec3 normal, float n_dot_l) {
     float reflected = r_dot_v(dot(direction_to_light(seen_from), to_eye), n_dot_l, dot(normal, to_eye));
     return pow(max(reflected, 0.0), shininess > 0.0 ? shininess : max(material_shininess, 1.0));
 }
+
+#ifdef FRAGMENT_STAGE
+// Equation 2 mirrors light from behind the surface too. It does not shine on the side that is seen.
+float shining(float specular, float seen_n_dot_l) { return specular * covered_above(seen_n_dot_l, 0.0); }
+#endif

@@ -1,6 +1,7 @@
 // Maps and levels with hard steps, looked up over the area of a pixel instead of at its centre, so that the step's edge
 // is as smooth on the screen as an antialiased line and no wider. How far an index runs across a pixel comes from its
 // derivatives on the screen.
+#include "tone_map.glsl"
 
 #ifdef FRAGMENT_STAGE
 uniform float softness;   // width of a step's edge, pixels of the picture; 0: hard
@@ -15,14 +16,6 @@ const float narrowest_band = 0.02;
 float index_range(float index) {
     return min(softness * float(pixel_scale) * length(vec2(dFdx(index), dFdy(index))), widest_range);
 }
-
-// A map is not repeated: its ends reach on.
-vec3 map_tone(sampler2D map, vec2 index) {
-    vec2 half_texel = 0.5 / vec2(textureSize(map, 0));
-    return textureLod(map, clamp(index, half_texel, 1.0 - half_texel), 0.0).rgb;
-}
-
-vec3 map_tone(sampler2D map, float index) { return map_tone(map, vec2(index, 0.5)); }
 
 // The mean of a 1-D map over the index's range: two taps, or eight where they differ. A number of rounds decides, not an
 // `if`: software renderers follow both ways of an `if`, but leave a loop when no pixel goes on.

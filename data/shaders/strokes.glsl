@@ -1,5 +1,6 @@
 // Strokes: triangles whose ink follows from a pixel's distance to the spine, or from an image along it.
 // src/components/stroke_geometry.h says what their corners hold.
+#include "coverage.glsl"
 
 uniform vec2 frame_size;
 
@@ -26,8 +27,7 @@ uniform sampler2D stroke_sampler;
 float coverage() {
     float past_end = max(max(place.x, place.y), 0.0);
     float from_spine = sqrt(past_end * past_end + place.z * place.z);
-    float width = 2.0 * place.w - 1.0;
-    return clamp(place.w - from_spine, 0.0, min(width, 1.0));
+    return line_coverage(from_spine, place.w - 0.5);
 }
 
 // The stroke's colour, multiplied by opacity and coverage.

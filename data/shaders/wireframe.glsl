@@ -1,4 +1,5 @@
 // Edges as quads of any width, built in the vertex shader from one instance an edge.
+#include "coverage.glsl"
 
 uniform mat4 clip_from_scene;
 uniform mat4 scene_from_model;
@@ -45,5 +46,5 @@ vec4 edge_quad() {
 #endif
 
 #ifdef FRAGMENT_STAGE
-vec4 line() { return vec4(color, clamp(across.y + 0.5 - abs(across.x), 0.0, 1.0)); }
+vec4 line() { return vec4(color, line_coverage(abs(across.x), across.y)); }
 #endif

@@ -29,6 +29,30 @@ std::filesystem::path folder_of(const std::filesystem::path& path) {
     return path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
 }
 
+void check_place(const std::filesystem::path& path) {
+    std::error_code error;
+    if (!std::filesystem::is_directory(folder_of(path), error)) {
+        fail("{}: folder {} does not exist", path.string(), folder_of(path).string());
+    }
+    if (std::filesystem::is_directory(path, error)) fail("{}: expected a file name, found a folder", path.string());
+}
+
+// Devices and pipes cannot be renamed over: they are written to as they are.
+bool is_special(const std::filesystem::path& path) {
+    std::error_code error;
+    return std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error);
+}
+
+std::filesystem::path part_beside(const std::filesystem::path& path) {
+    return fmt::format("{}.part-{}", path.string(), ::getpid());
+}
+
+File opened_to_write(const std::filesystem::path& path, const std::filesystem::path& written) {
+    File file(std::fopen(written.c_str(), "wb"));
+    if (!file) fail("{}: cannot write: {}", path.string(), std::strerror(errno));
+    return file;
+}
+
 }  // namespace
 
 std::string read_file(const std::filesystem::path& path, std::uintmax_t most_bytes) {
@@ -54,26 +78,20 @@ std::string read_file(const std::filesystem::path& path, std::uintmax_t most_byt
 
 void write_file_whole(const std::filesystem::path& path, std::span<const std::byte> bytes) {
     if (path == "-") return write_standard_output(bytes);
+    check_place(path);
     std::error_code error;
-    if (!std::filesystem::is_directory(folder_of(path), error)) {
-        fail("{}: folder {} does not exist", path.string(), folder_of(path).string());
-    }
-    if (std::filesystem::is_directory(path, error)) fail("{}: expected a file name, found a folder", path.string());
-    // Devices and pipes cannot be renamed over: they are written to as they are.
-    const bool is_special = std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error);
-    const std::filesystem::path beside =
-        is_special ? path : std::filesystem::path(fmt::format("{}.part-{}", path.string(), ::getpid()));
-    File file(std::fopen(beside.c_str(), "wb"));
-    if (!file) fail("{}: cannot write: {}", path.string(), std::strerror(errno));
+    const bool in_place = is_special(path);
+    const std::filesystem::path beside = in_place ? path : part_beside(path);
+    File file = opened_to_write(path, beside);
     const bool written = write_all(file.get(), bytes);
     int reason = errno;
     const bool closed = std::fclose(file.release()) == 0;
     if (written && !closed) reason = errno;
     if (!written || !closed) {
-        if (!is_special) std::filesystem::remove(beside, error);
+        if (!in_place) std::filesystem::remove(beside, error);
         fail("{}: cannot write: {}", path.string(), std::strerror(reason));
     }
-    if (is_special) return;
+    if (in_place) return;
     std::filesystem::rename(beside, path, error);
     if (error) {
         std::error_code ignored;
@@ -84,6 +102,16 @@ void write_file_whole(const std::filesystem::path& path, std::span<const std::by
 
 void write_file_whole(const std::filesystem::path& path, std::string_view text) {
     write_file_whole(path, std::as_bytes(std::span(text)));
+}
+
+void check_writable(const std::filesystem::path& path) {
+    if (path == "-") return;
+    check_place(path);
+    if (is_special(path)) return;
+    const std::filesystem::path beside = part_beside(path);
+    opened_to_write(path, beside).reset();
+    std::error_code ignored;
+    std::filesystem::remove(beside, ignored);
 }
 
 }  // namespace croquis

@@ -19,4 +19,8 @@ namespace croquis {
 void write_file_whole(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void write_file_whole(const std::filesystem::path& path, std::string_view text);
 
+/// Throws the Error that `write_file_whole` would throw for this path, before there is anything to write. Writes
+/// nothing.
+void check_writable(const std::filesystem::path& path);
+
 }  // namespace croquis

@@ -11,13 +11,16 @@
 namespace croquis::bench {
 namespace {
 
-constexpr int most_levels = 20;
+constexpr std::int64_t most_levels = 20;
+constexpr std::int64_t most_frames = 10'000'000;
 
 void check(const Protocol& protocol) {
     if (protocol.levels < 1 || protocol.levels > most_levels) {
         fail("expected 1 to {} levels of detail, found {}", most_levels, protocol.levels);
     }
-    if (protocol.frames < 1) fail("expected at least 1 frame to measure, found {}", protocol.frames);
+    if (protocol.frames < 1 || protocol.frames > most_frames) {
+        fail("expected 1 to {} frames to measure, found {}", most_frames, protocol.frames);
+    }
     if (!(protocol.seconds > 0)) fail("expected more than 0 seconds to measure, found {:g}", protocol.seconds);
     if (!(protocol.coverage > 0 && protocol.coverage <= 100)) {
         fail("expected the model to cover more than 0 and at most 100 percent, found {:g}", protocol.coverage);
@@ -36,8 +39,8 @@ std::vector<std::string> names_to_measure(const Protocol& protocol) {
 std::vector<std::size_t> level_sizes(const Model& model, const Protocol& protocol) {
     if (!protocol.triangles.empty()) return protocol.triangles;
     std::vector<std::size_t> sizes;
-    for (int level = 0; level < protocol.levels; ++level) {
-        sizes.push_back(std::size_t(std::lround(double(model.triangle_count()) / std::pow(2.0, level))));
+    for (std::int64_t level = 0; level < protocol.levels; ++level) {
+        sizes.push_back(std::size_t(std::lround(double(model.triangle_count()) / std::pow(2.0, double(level)))));
     }
     return sizes;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -21,9 +22,9 @@ struct Protocol {
     Vector3 direction{12.73, 17.85, 12.52};  ///< from the model to the eye: its table 2
     double coverage = 15;                    ///< percent of the frame's pixels that the model covers: its table 3
     double turn = 0;                         ///< degrees by which the eye goes around the model from frame to frame
-    int levels = 1;                          ///< of detail; each has half the faces of the one before
+    std::int64_t levels = 1;                 ///< of detail; each has half the faces of the one before
     std::vector<std::size_t> triangles{};    ///< of each level, in place of `levels`
-    int frames = 1000;                       ///< of each technique at each level, unless `seconds` are over before
+    std::int64_t frames = 1000;              ///< of each technique at each level, unless `seconds` are over before
     double seconds = 1;
     /// Names, or paths of .technique files. The default renderer is measured first in any case.
     std::vector<std::string> techniques{};

@@ -18,11 +18,20 @@ int batch_size(double milliseconds, const Protocol& protocol) {
     return std::max(1, int(std::ceil(frames)));
 }
 
-/// Frames from the view of `options` on, each turned further.
-std::vector<DrawOptions> frames_of(const DrawOptions& options, double turn, int count) {
-    std::vector<DrawOptions> frames(std::size_t(count), options);
-    for (int i = 0; i < count; ++i) frames[std::size_t(i)].view = turned(options.view, i * turn);
-    return frames;
+/// Milliseconds a frame, over frames from the view of `options` on, each turned further. Their views are made some at a
+/// time, between the times that are taken.
+double time_turning(Renderer& renderer, const Model& model, Technique& technique, const DrawOptions& options,
+                    double turn, int count) {
+    constexpr int most_views = 1024;
+    double sum = 0;
+    for (int first = 0; first < count; first += most_views) {
+        std::vector<DrawOptions> frames(std::size_t(std::min(most_views, count - first)), options);
+        for (std::size_t i = 0; i < frames.size(); ++i) {
+            frames[i].view = turned(options.view, (first + double(i)) * turn);
+        }
+        sum += double(frames.size()) * renderer.time_frames(model, technique, frames);
+    }
+    return sum / count;
 }
 
 }  // namespace
@@ -38,27 +47,28 @@ double median(std::vector<double> values) {
 std::vector<TechniqueTime> time_interleaved(Renderer& renderer, const Model& model, std::vector<Technique>& techniques,
                                             const DrawOptions& options, const Protocol& protocol,
                                             const std::function<void()>& next_round) {
-    std::vector<std::vector<DrawOptions>> frames;
-    const std::vector<DrawOptions> first = frames_of(options, protocol.turn, warm_up_frames);
+    const auto time = [&](Technique& technique, int frames) {
+        return time_turning(renderer, model, technique, options, protocol.turn, frames);
+    };
+    std::vector<int> frames;  // of a batch of each technique
     for (Technique& technique : techniques) {
-        (void)renderer.time_frames(model, technique, first);  // compiles and uploads
-        const double milliseconds = renderer.time_frames(model, technique, first);
-        frames.push_back(frames_of(options, protocol.turn, batch_size(milliseconds, protocol)));
+        (void)time(technique, warm_up_frames);  // compiles and uploads
+        frames.push_back(batch_size(time(technique, warm_up_frames), protocol));
     }
     std::vector<std::vector<double>> batches(techniques.size());
     for (int round = 0; round < batches_of_each; ++round) {
         next_round();
         for (std::size_t t = 0; t < techniques.size(); ++t) {
-            batches[t].push_back(renderer.time_frames(model, techniques[t], frames[t]));
+            batches[t].push_back(time(techniques[t], frames[t]));
         }
     }
     std::vector<TechniqueTime> times;
     for (std::size_t t = 0; t < techniques.size(); ++t) {
-        TechniqueTime& time = times.emplace_back();
-        time.technique = techniques[t].name();
-        time.milliseconds = median(batches[t]);
-        time.ratio = time.milliseconds / times.front().milliseconds;
-        time.frames = int(frames[t].size()) * batches_of_each;
+        TechniqueTime& one = times.emplace_back();
+        one.technique = techniques[t].name();
+        one.milliseconds = median(batches[t]);
+        one.ratio = one.milliseconds / times.front().milliseconds;
+        one.frames = frames[t] * batches_of_each;
     }
     return times;
 }

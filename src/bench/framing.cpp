@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/log.h"
 
 namespace croquis::bench {
 namespace {
@@ -45,15 +46,22 @@ View view_with_coverage(Renderer& renderer, const Model& model, const Protocol& 
     options.height = protocol.height;
     double distance = 3 * radius;
     constexpr int most_steps = 12;
+    double found = 0;
     for (int step = 0; step < most_steps; ++step) {
         options.view = seen_from(centre, protocol.direction, distance);
-        const double found = coverage(renderer, model, options);
-        if (std::abs(found - protocol.coverage) < 0.01 * protocol.coverage) break;
+        found = coverage(renderer, model, options);
+        if (std::abs(found - protocol.coverage) < 0.01 * protocol.coverage) return options.view;
         // Far away, the covered share falls with the square of the distance.
         const double factor = found > 0 ? std::sqrt(found / protocol.coverage) : 0.5;
         distance = std::clamp(distance * factor, nearest, farthest);
     }
-    return seen_from(centre, protocol.direction, distance);
+    constexpr double near_enough = 0.05;
+    if (std::abs(found - protocol.coverage) > near_enough * protocol.coverage) {
+        warn(
+            "the model covers {:.1f} percent of the pixels, not {:g}: it cannot be seen otherwise from outside its box",
+            found, protocol.coverage);
+    }
+    return options.view;
 }
 
 View turned(const View& view, double degrees) {

@@ -35,15 +35,13 @@ void ChosenFaces::collect(const model::Model& model) {
     triangles_.resize(model.meshes.size());
     std::size_t first = 0;
     for (std::size_t i = 0; i < model.meshes.size(); ++i) {
-        const std::vector<std::uint32_t>& all = model.meshes[i].triangles;
+        const auto count = std::uint32_t(model.meshes[i].triangle_count());
         const bool is_solid = model.topology().mesh_is_solid[i];
         triangles_[i].clear();
-        for (std::size_t face = 0; face < all.size() / 3; ++face) {
-            if (is_solid && is_front_[first + face] == 0) continue;
-            triangles_[i].insert(triangles_[i].end(), all.begin() + std::ptrdiff_t(3 * face),
-                                 all.begin() + std::ptrdiff_t(3 * face + 3));
+        for (std::uint32_t face = 0; face < count; ++face) {
+            if (!is_solid || is_front_[first + face] != 0) triangles_[i].push_back(face);
         }
-        first += all.size() / 3;
+        first += count;
     }
 }
 

@@ -1,5 +1,5 @@
-// Hidden-line removal that keeps whatever the frame holds: surfaces fill the depth alone, then lines are drawn at less
-// or equal depth (seed A, 2.3.2).
+// Hidden-line removal that keeps whatever the frame holds: surfaces fill the depth alone, then lines, or the strokes on
+// the surfaces, are drawn at less or equal depth (seed A, 2.3.2).
 #pragma once
 
 #include <memory>
@@ -11,12 +11,15 @@ namespace croquis::components {
 class Occluder {
 public:
     explicit Occluder(framework::Resources& resources)
-        : program_(resources.program("default:default_transform", "attributes:nothing")) {}
+        : program_(resources.program("occluder:transform_occluder", "occluder:nothing")) {}
 
     struct Options {
         float push_back = 0;  ///< gpu::DrawState's
         /// Each mesh is drawn so large about its middle: below 1, lines that were moved off the surface are kept.
         float scale = 1;
+        float inset = 0;  ///< scene units by which the surface is drawn in along its normals, for the same
+        /// That of the draws to come: another order of vertices rounds to another depth.
+        framework::SurfaceKind kind = framework::SurfaceKind::smooth;
     };
 
     /// Draws the selected surfaces into the depth of the bound frame, and marks them as surfaces.
@@ -24,13 +27,15 @@ public:
                     const Options& options) const {
         program_->use();
         context.apply(*program_);
-        context.scene.draw_surfaces(selection, *program_,
-                                    {.depth_test = gpu::DepthTest::nearer,
-                                     .write_depth = true,
-                                     .write_color = false,
-                                     .push_back = options.push_back,
-                                     .stencil = gpu::Stencil::mark_surface},
-                                    {.eye_is_outside = context.eye_is_outside(), .scale = options.scale});
+        program_->set("occluder_inset", options.inset);
+        context.scene.draw_surfaces(
+            selection, *program_,
+            {.depth_test = gpu::DepthTest::nearer,
+             .write_depth = true,
+             .write_color = false,
+             .push_back = options.push_back,
+             .stencil = gpu::Stencil::mark_surface},
+            {.eye_is_outside = context.eye_is_outside(), .scale = options.scale, .kind = options.kind});
     }
 
 private:

@@ -1,5 +1,6 @@
 // outline: silhouettes as quads along the surface's edges, over the surfaces that the frame holds. Seed A, 3.4 and
 // 3.6.3; seed B, chapter 4, algorithms 1-3; seed E, 10.3.1 and 10.4.
+#include <bit>
 #include <glm/trigonometric.hpp>
 #include <optional>
 
@@ -36,28 +37,44 @@ struct Subject {
     bool operator==(const Subject&) const = default;
 };
 
-// Instances on the GPU, which keep their place when their number changes.
+// Lines on the GPU: the four corners of each hold all of it, for the software renderer takes as long to begin an
+// instance as to draw it.
 class LineBuffer {
 public:
-    void upload(gpu::Context& context, std::span<const OutlineEdge> edges) {
-        if (geometry_) return geometry_->update_instances(std::as_bytes(edges), int(edges.size()));
+    void upload(gpu::Context& context, const std::vector<OutlineEdge>& edges) {
+        std::vector<OutlineEdge> corners;
+        corners.reserve(4 * edges.size());
+        for (const OutlineEdge& edge : edges) corners.insert(corners.end(), 4, edge);
+        lines_ = edges.size();
+        if (geometry_ && lines_ <= capacity_) return geometry_->update(0, std::as_bytes(std::span(corners)));
+        capacity_ = std::bit_ceil(lines_);
+        make_geometry(context, corners);
+    }
+
+    void draw() const {
+        if (lines_ > 0) geometry_->draw(0, 6 * lines_);
+    }
+
+private:
+    void make_geometry(gpu::Context& context, const std::vector<OutlineEdge>& corners) {
+        std::vector<std::uint32_t> triangles;
+        for (std::uint32_t first = 0; first < 4 * capacity_; first += 4) {
+            for (const std::uint32_t corner : {0u, 1u, 2u, 2u, 1u, 3u}) triangles.push_back(first + corner);
+        }
         using Kind = gpu::Attribute::Kind;
-        const gpu::VertexBuffer buffer{std::as_bytes(edges),
+        const gpu::VertexBuffer buffer{std::as_bytes(std::span(corners)),
                                        sizeof(OutlineEdge),
                                        {{0, 3, Kind::floats, offsetof(OutlineEdge, start)},
                                         {1, 3, Kind::floats, offsetof(OutlineEdge, end)},
                                         {2, 3, Kind::floats, offsetof(OutlineEdge, inside)},
                                         {3, 4, Kind::bytes_to_unit, offsetof(OutlineEdge, start_color)},
-                                        {4, 4, Kind::bytes_to_unit, offsetof(OutlineEdge, end_color)}},
-                                       gpu::VertexBuffer::Step::instance};
-        constexpr int strip_vertices = 4;
-        geometry_ = std::make_unique<gpu::Geometry>(context, std::span(&buffer, 1), strip_vertices, int(edges.size()));
+                                        {4, 4, Kind::bytes_to_unit, offsetof(OutlineEdge, end_color)}}};
+        geometry_ = std::make_unique<gpu::Geometry>(context, std::span(&buffer, 1), triangles);
     }
 
-    void draw() const { geometry_->draw(); }
-
-private:
     std::unique_ptr<gpu::Geometry> geometry_;
+    std::size_t lines_ = 0;
+    std::size_t capacity_ = 0;  // lines that the indices reach
 };
 
 // What a draw of the lines asks of the shader besides the frame.
@@ -77,6 +94,7 @@ public:
           boundary_width_(pass.variable<float>("boundary_width")),
           inner_width_(pass.variable<float>("inner_width")),
           crease_angle_(pass.variable<float>("crease_angle")),
+          shortest_(pass.variable<float>("shortest")),
           width_unit_(pass.variable<std::string>("width_unit")),
           colors_(pass.variable<std::string>("colors")),
           color_(pass.variable<glm::vec3>("color")),
@@ -102,7 +120,7 @@ protected:
         context.frame.bind();
         if (occlude_.value()) {
             occluder_.fill_depth(context, framework::ObjectSelection(objects_.value()),
-                                 {.scale = occluder_scale_.value()});
+                                 {.scale = occluder_scale_.value(), .inset = ink_reach()});
         }
         draw_lines(context);
     }
@@ -112,6 +130,12 @@ private:
     static constexpr float behind_surface = -2e-4f;
     // And those that are to show on it, so many of their widths before it: surfaces may slope as much beside them.
     static constexpr float widths_before_surface = 1.5f;
+
+    // How far lines in ink are off the surface, which must not swallow them: where it is round it is drawn in by as
+    // much, where it is flat the lines are drawn before it.
+    [[nodiscard]] float ink_reach() const {
+        return method_named(method_.value()) == Method::ink ? offset_.value() : 0.0f;
+    }
 
     void draw_lines(RenderContext& context) {
         constexpr gpu::DrawState ink{.depth_test = gpu::DepthTest::nearer_or_equal, .blend = gpu::Blend::over};
@@ -129,7 +153,7 @@ private:
                 draw(context, *lines_, found_, ink, {width, true, -halo_depth_.value()});
                 break;
             case Method::ink:
-                draw(context, *lines_, found_, ink, {width, false, 0});
+                draw(context, *lines_, found_, ink, {width, false, 2 * ink_reach()});
                 break;
             case Method::stencil_lines:
                 draw_through_stencil(context, ink);
@@ -187,14 +211,21 @@ private:
         }
         if (!subject_ || subject_->model != now.model || subject_->revision != now.revision ||
             subject_->seed != now.seed) {
-            update_vertices(*now.model, now.seed);
+            update_choices(*now.model, now.seed);
+        }
+        if (inner_width_.value() > 0 && (!subject_ || subject_->pose != now.pose || subject_->model != now.model ||
+                                         subject_->revision != now.revision)) {
+            inner_edges_ = edges_->inner_edges(glm::radians(double(crease_angle_.value())), shown_);
         }
         subject_ = std::move(now);
         find_lines(context);
     }
 
-    // What each vertex gives its lines; neither view nor pose changes it.
-    void update_vertices(const model::Model& model, std::uint64_t seed) {
+    // What depends on neither view nor pose.
+    void update_choices(const model::Model& model, std::uint64_t seed) {
+        const framework::ObjectSelection selection(objects_.value());
+        shown_.clear();
+        for (const model::Mesh& mesh : model.meshes) shown_.push_back(selection.includes(model, mesh));
         own_colors_.clear();
         offsets_.clear();
         if (colors_.value() == "own") own_colors_ = own_line_colors(model, darkening_.value());
@@ -203,26 +234,27 @@ private:
         }
     }
 
+    [[nodiscard]] bool finds_contours() const {
+        return method_named(method_.value()) != Method::stencil_lines || boundary_width_.value() > 0;
+    }
+
     void find_lines(RenderContext& context) {
-        const framework::ObjectSelection selection(objects_.value());
-        std::vector<bool> shown;
-        for (const model::Mesh& mesh : subject_->model->meshes) {
-            shown.push_back(selection.includes(*subject_->model, mesh));
-        }
         gpu::Context& gpu = context.resources.gpu();
+        const lines::Viewpoint& view = subject_->view;
         using Facing = OutlineEdges::Facing;
         if (method_named(method_.value()) == Method::stencil_lines) {
-            of_front_faces_.upload(gpu, instances(edges_->edges_of_faces(subject_->view, Facing::front, shown)));
-            of_back_faces_.upload(gpu, instances(edges_->edges_of_faces(subject_->view, Facing::back, shown)));
+            of_front_faces_.upload(gpu, lines_along(edges_->edges_of_faces(view, Facing::front, shown_)));
+            of_back_faces_.upload(gpu, lines_along(edges_->edges_of_faces(view, Facing::back, shown_)));
         }
-        found_.upload(gpu, instances(edges_->contours(subject_->view, shown)));
-        if (inner_width_.value() > 0) {
-            inner_.upload(gpu, instances(edges_->inner_edges(glm::radians(double(crease_angle_.value())), shown)));
-        }
+        const auto upload = [&](LineBuffer& buffer, const std::vector<EdgeWithFace>& lines) {
+            buffer.upload(gpu, lines_along(edges_->without_specks(lines, view, shortest_.value())));
+        };
+        if (finds_contours()) upload(found_, edges_->contours(view, shown_));
+        if (inner_width_.value() > 0) upload(inner_, inner_edges_);
     }
 
     // One line an edge; in ink three, their offsets' components in turn (seed B, algorithm 3).
-    [[nodiscard]] std::vector<OutlineEdge> instances(const std::vector<EdgeWithFace>& edges) const {
+    [[nodiscard]] std::vector<OutlineEdge> lines_along(const std::vector<EdgeWithFace>& edges) const {
         const int copies = offsets_.empty() ? 1 : 3;
         std::vector<OutlineEdge> lines;
         lines.reserve(edges.size() * std::size_t(copies));
@@ -252,6 +284,7 @@ private:
     Variable<float> boundary_width_;
     Variable<float> inner_width_;
     Variable<float> crease_angle_;
+    Variable<float> shortest_;
     Variable<std::string> width_unit_;
     Variable<std::string> colors_;
     Variable<glm::vec3> color_;
@@ -271,8 +304,10 @@ private:
 
     std::optional<Subject> subject_;  // what the buffers show
     std::optional<OutlineEdges> edges_;
-    std::vector<glm::u8vec4> own_colors_;  // one a vertex of the topology; empty for lines of one colour
-    std::vector<glm::vec3> offsets_;       // the same; empty but for method ink
+    std::vector<bool> shown_;                // one a mesh
+    std::vector<EdgeWithFace> inner_edges_;  // of this surface, in all views
+    std::vector<glm::u8vec4> own_colors_;    // one a vertex of the topology; empty for lines of one colour
+    std::vector<glm::vec3> offsets_;         // the same; empty but for method ink
     LineBuffer found_, inner_, of_front_faces_, of_back_faces_;
 };
 

@@ -9,6 +9,10 @@ namespace {
 
 using framework::Pass;
 using framework::RenderContext;
+using framework::SurfaceKind;
+
+// Of a variable that only some of the derived components declare.
+bool is_on(const Pass& pass, const char* name) { return pass.has(name) && pass.variable<bool>(name).value(); }
 
 class SimpleRender final : public framework::Component {
 public:
@@ -17,6 +21,7 @@ public:
           target_(pass),
           clear_color_(pass.variable<glm::vec3>("clear_color")),
           objects_(pass.variable<std::string>("objects")),
+          kind_(is_on(pass, "one_color") ? SurfaceKind::one_color : SurfaceKind::smooth),
           shaders_(pass) {
         if (pass.has("texture_colors")) texture_colors_ = pass.variable<std::int32_t>("texture_colors");
         if (pass.has("orientation")) chosen_faces_.emplace(pass);
@@ -38,6 +43,7 @@ protected:
             {.depth_test = gpu::DepthTest::nearer, .write_depth = true, .stencil = gpu::Stencil::mark_surface},
             {.eye_is_outside = context.eye_is_outside(),
              .texture_for_all = pass_.texture("texture"),
+             .kind = kind_,
              .texture_colors = texture_colors_ ? texture_colors_->value() : 0,
              .triangles = chosen_faces_ ? chosen_faces_->find(context) : nullptr});
     }
@@ -45,13 +51,13 @@ protected:
 private:
     // The normal of the background points into the screen (seed C, 3.3.1).
     [[nodiscard]] glm::vec3 background_color(const RenderContext& context) const {
-        const bool into_screen = pass_.has("clear_into_screen") && pass_.variable<bool>("clear_into_screen").value();
-        return into_screen ? 0.5f - 0.5f * glm::vec3(context.camera.back) : clear_color_.value();
+        return is_on(pass_, "clear_into_screen") ? 0.5f - 0.5f * glm::vec3(context.camera.back) : clear_color_.value();
     }
 
     framework::RenderTarget target_;
     framework::Variable<glm::vec3> clear_color_;
     framework::Variable<std::string> objects_;
+    SurfaceKind kind_;
     ShaderPair shaders_;
     // What only some of the derived components declare.
     std::optional<framework::Variable<std::int32_t>> texture_colors_;

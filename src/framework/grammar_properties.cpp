@@ -78,8 +78,6 @@ const std::vector<std::string> all_properties = {
     "default",  "minimum", "maximum", "ui_minimum", "ui_maximum", "vertex_parameter", "fragment_parameter", "read_only",
     "internal", "help",    "unit",    "choices",    "form"};
 
-const std::vector<std::string> all_forms = {"flat", "volume", "tonal"};
-
 using ValueMember = std::optional<Value> VariableDescriptor::*;
 using FlagMember = bool VariableDescriptor::*;
 
@@ -141,10 +139,12 @@ private:
 
     [[nodiscard]] TextureForm form(const Setting& setting) const {
         const std::string name = text(setting);
-        if (const auto form = texture_form_named(name)) return *form;
+        const auto found = std::find(texture_forms.begin(), texture_forms.end(), name);
+        if (found != texture_forms.end()) return TextureForm(found - texture_forms.begin());
+        const std::vector<std::string> names(texture_forms.begin(), texture_forms.end());
         fail_at(position(file_, setting.value.front().where),
-                "form of variable \"{}\" expects one of \"flat\", \"volume\", \"tonal\"; found \"{}\"{}",
-                variable_.name, name, suggestion(name, all_forms));
+                "form of variable \"{}\" expects one of \"{}\"; found \"{}\"{}", variable_.name,
+                fmt::join(names, "\", \""), name, suggestion(name, names));
     }
 
     [[noreturn]] void refuse(const Setting& setting, std::string_view what) const {

@@ -80,7 +80,7 @@ public:
 
 private:
     struct Part {
-        std::array<std::unique_ptr<MeshGeometry>, 3> surfaces;  // by kind; but for smooth ones made when first drawn
+        std::array<std::unique_ptr<MeshGeometry>, 4> surfaces;  // by kind; but for smooth ones made when first drawn
         std::shared_ptr<const gpu::Texture> texture;
         gpu::Cull cull = gpu::Cull::none;
         glm::vec3 middle{0.0f};                               // of its box, as the vertices stand now

@@ -52,6 +52,17 @@ std::vector<model::Facet> facets_of(const model::Mesh& mesh, const model::FacetL
     return facets;
 }
 
+// The vertices' own, and its triangle's for each that speaks for one.
+std::vector<glm::u8vec4> one_color_a_triangle(const model::Mesh& mesh, const model::FacetLayout& layout) {
+    std::vector<glm::u8vec4> colors = picked(mesh.colors, layout.vertices);
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+        const std::uint32_t triangle = layout.spoken_for[i];
+        if (triangle == model::FacetLayout::no_triangle) continue;
+        colors[i] = glm::u8vec4(255.0f * model::facet_color(mesh, triangle) + 0.5f);
+    }
+    return colors;
+}
+
 gpu::VertexBuffer position_buffer(std::span<const PositionAndNormal> vertices, unsigned position, unsigned normal) {
     return {std::as_bytes(vertices),
             sizeof(PositionAndNormal),
@@ -75,17 +86,21 @@ constexpr std::size_t moving_buffer = 0, moving_facet_buffer = 1;
 
 MeshGeometry::MeshGeometry(gpu::Context& context, const model::Mesh& mesh, SurfaceKind kind,
                            std::span<const glm::vec3> positions, std::span<const glm::vec3> normals)
-    : mesh_(&mesh) {
-    if (kind == SurfaceKind::facets) facets_ = model::facet_layout(mesh);
+    : mesh_(&mesh), kind_(kind) {
+    const bool has_one_color = kind == SurfaceKind::one_color && !mesh.colors.empty();
+    if (kind == SurfaceKind::facets || has_one_color) facets_ = model::facet_layout(mesh);
     const auto vertices = interleave(positions, normals, facets_.vertices);
     std::vector<gpu::VertexBuffer> buffers{position_buffer(vertices, position_location, normal_location)};
-    const auto facets = facets_of(mesh, facets_, positions, normals);
-    if (kind == SurfaceKind::facets) buffers.push_back(facet_buffer(facets));
+    std::vector<model::Facet> facets;
+    if (kind == SurfaceKind::facets) {
+        facets = facets_of(mesh, facets_, positions, normals);
+        buffers.push_back(facet_buffer(facets));
+    }
     const auto texcoords = picked(mesh.texcoords, facets_.vertices);
     if (!texcoords.empty()) {
         buffers.push_back({std::as_bytes(std::span(texcoords)), sizeof(glm::vec2), {{texcoord_location, 2}}});
     }
-    const auto colors = picked(mesh.colors, facets_.vertices);
+    const auto colors = has_one_color ? one_color_a_triangle(mesh, facets_) : picked(mesh.colors, facets_.vertices);
     if (!colors.empty()) {
         buffers.push_back(
             {std::as_bytes(std::span(colors)), sizeof(glm::u8vec4), {{color_location, 4, Kind::bytes_to_unit}}});
@@ -95,14 +110,27 @@ MeshGeometry::MeshGeometry(gpu::Context& context, const model::Mesh& mesh, Surfa
         rest = interleave(mesh.positions, mesh.normals, {});
         buffers.push_back(position_buffer(rest, rest_position_location, rest_normal_location));
     }
-    geometry_ = std::make_unique<gpu::Geometry>(context, buffers,
-                                                kind == SurfaceKind::facets ? facets_.triangles : mesh.triangles);
+    geometry_ = std::make_unique<gpu::Geometry>(context, buffers, corners());
+}
+
+const std::vector<std::uint32_t>& MeshGeometry::corners() const {
+    return facets_.vertices.empty() ? mesh_->triangles : facets_.triangles;
+}
+
+void MeshGeometry::draw(std::span<const std::uint32_t> triangles) {
+    std::vector<std::uint32_t> chosen;
+    chosen.reserve(3 * triangles.size());
+    for (const std::uint32_t triangle : triangles) {
+        const auto first = corners().begin() + std::ptrdiff_t{3} * triangle;
+        chosen.insert(chosen.end(), first, first + 3);
+    }
+    geometry_->draw(chosen);
 }
 
 void MeshGeometry::move(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals) {
     const auto vertices = interleave(positions, normals, facets_.vertices);
     geometry_->update(moving_buffer, std::as_bytes(std::span(vertices)));
-    if (facets_.vertices.empty()) return;
+    if (kind_ != SurfaceKind::facets) return;
     const auto facets = facets_of(*mesh_, facets_, positions, normals);
     geometry_->update(moving_facet_buffer, std::as_bytes(std::span(facets)));
 }

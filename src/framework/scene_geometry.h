@@ -14,9 +14,10 @@ namespace croquis::framework {
 
 /// What the vertices of a surface hold besides position, normal, texture coordinate and colour.
 enum class SurfaceKind {
-    smooth,    ///< nothing
-    facets,    ///< what is the same all over a triangle, for shading that has one value a triangle: facets.glsl
-    anchored,  ///< where the vertex is at rest, for what stays on a surface that moves: anchored.glsl
+    smooth,     ///< nothing
+    facets,     ///< what is the same all over a triangle, for shading that has one value a triangle: facets.glsl
+    anchored,   ///< where the vertex is at rest, for what stays on a surface that moves: anchored.glsl
+    one_color,  ///< nothing, but the last vertex of each triangle has the triangle's one colour
 };
 
 class MeshGeometry {
@@ -29,12 +30,15 @@ public:
     void move(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals);
 
     void draw() const { geometry_->draw(); }
-    /// Draws these triangles of the mesh alone, of a smooth surface: slow, for what changes with each frame.
-    void draw(std::span<const std::uint32_t> triangles) { geometry_->draw(triangles); }
+    /// Draws these triangles of the mesh alone: slow, for what changes with each frame.
+    void draw(std::span<const std::uint32_t> triangles);
 
 private:
+    [[nodiscard]] const std::vector<std::uint32_t>& corners() const;
+
     const model::Mesh* mesh_;
-    model::FacetLayout facets_;  ///< empty but for facets
+    SurfaceKind kind_;
+    model::FacetLayout facets_;  ///< empty where no triangle needs a vertex of its own
     std::unique_ptr<gpu::Geometry> geometry_;
 };
 

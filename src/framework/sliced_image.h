@@ -9,8 +9,8 @@
 
 namespace croquis::framework {
 
-/// The slices of a volume: squares below each other, the first at the top. Throws Error, led by `name`, for an image
-/// that cannot be cut so.
+/// The slices of a volume: two or more squares below each other, the first at the top. Throws Error, led by `name`, for
+/// an image that cannot be cut so.
 [[nodiscard]] gpu::Slices cut_volume(const image::Image& image, const std::string& name);
 
 /// The mip levels of a tonal art map. The image holds 3 n + 1 tones below each other, from white to black, each a

@@ -1,7 +1,7 @@
 // How the image that a texture variable names becomes a texture: the property `form` of the variable.
 #pragma once
 
-#include <optional>
+#include <array>
 #include <string_view>
 
 namespace croquis::framework {
@@ -9,14 +9,10 @@ namespace croquis::framework {
 enum class TextureForm {
     flat,    ///< as it is (sampler2D)
     volume,  ///< square slices below each other, the first at the top (sampler3D)
-    tonal,   ///< tones of strokes, each with its smaller sizes: framework/tonal_image.h (sampler2DArray)
+    tonal,   ///< tones of strokes, each with its smaller sizes: framework/sliced_image.h (sampler2DArray)
 };
 
-[[nodiscard]] inline std::optional<TextureForm> texture_form_named(std::string_view name) {
-    if (name == "flat") return TextureForm::flat;
-    if (name == "volume") return TextureForm::volume;
-    if (name == "tonal") return TextureForm::tonal;
-    return std::nullopt;
-}
+/// The words of the property, in the order of the forms.
+inline constexpr std::array<std::string_view, 3> texture_forms{"flat", "volume", "tonal"};
 
 }  // namespace croquis::framework

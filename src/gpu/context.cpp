@@ -68,6 +68,8 @@ void Context::describe() {
     renderer_ = text_of(GL_RENDERER);
     version_ = text_of(GL_VERSION);
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &longest_side_);
+    glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &longest_volume_side_);
+    glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &most_layers_);
 }
 
 bool Context::is_software() const {

@@ -68,6 +68,10 @@ public:
     [[nodiscard]] bool is_software() const;
     /// The longest side of a texture or target.
     [[nodiscard]] int longest_side() const { return longest_side_; }
+    /// The longest side of a volume.
+    [[nodiscard]] int longest_volume_side() const { return longest_volume_side_; }
+    /// The most layers of a texture of layers.
+    [[nodiscard]] int most_layers() const { return most_layers_; }
 
     [[nodiscard]] Counters& counters() { return counters_; }
 
@@ -85,6 +89,8 @@ private:
     std::string version_;
     std::string platform_;
     int longest_side_ = 0;
+    int longest_volume_side_ = 0;
+    int most_layers_ = 0;
     Counters counters_;
 };
 

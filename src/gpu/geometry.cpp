@@ -65,12 +65,6 @@ void Geometry::update(std::size_t buffer, std::span<const std::byte> bytes) {
     glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(bytes.size()), bytes.data(), GL_DYNAMIC_DRAW);
 }
 
-void Geometry::update_instances(std::span<const std::byte> bytes, int instances) {
-    assert(indices_ == 0 && buffers_.size() == 1);
-    update(0, bytes);
-    instances_ = instances;
-}
-
 void Geometry::draw() const {
     ++context_->counters().draws;
     glBindVertexArray(array_);

@@ -41,8 +41,6 @@ public:
 
     /// Replaces the bytes of one buffer with as many others (a new pose of the same mesh).
     void update(std::size_t buffer, std::span<const std::byte> bytes);
-    /// Replaces all instances of a geometry that has one buffer.
-    void update_instances(std::span<const std::byte> bytes, int instances);
 
     void draw() const;
     /// Draws a stretch of the triangles alone: `count` indices from `first` on.

@@ -6,6 +6,8 @@
 #include <cstring>
 #include <string>
 
+#include "base/error.h"
+
 namespace croquis::gpu {
 namespace {
 
@@ -74,6 +76,13 @@ void upload(GLenum target, int level, const Slices& slices) {
                  rows.data());
 }
 
+// OpenGL draws black with a texture that is too large, and says nothing.
+void expect_to_fit(const char* what, const Slices& slices, int longest_side, int most_slices) {
+    if (slices.width <= longest_side && slices.height <= longest_side && slices.count <= most_slices) return;
+    fail("expected {} of at most {} x {} x {} pixels, found {} x {} x {}", what, longest_side, longest_side,
+         most_slices, slices.width, slices.height, slices.count);
+}
+
 }  // namespace
 
 Texture::Texture(Context& context, TextureFormat format, int width, int height)
@@ -104,6 +113,7 @@ Texture::Texture(Context& context, const Slices& volume, Filter filter)
       format_(TextureFormat::rgba8),
       width_(volume.width),
       height_(volume.height) {
+    expect_to_fit("a volume", volume, context.longest_volume_side(), context.longest_volume_side());
     create();
     ++context_->counters().texture_uploads;
     upload(GL_TEXTURE_3D, 0, volume);
@@ -118,6 +128,7 @@ Texture::Texture(Context& context, std::span<const Slices> levels, Filter filter
       format_(TextureFormat::rgba8),
       width_(levels.front().width),
       height_(levels.front().height) {
+    expect_to_fit("layers", levels.front(), context.longest_side(), context.most_layers());
     create();
     ++context_->counters().texture_uploads;
     for (std::size_t level = 0; level < levels.size(); ++level) upload(GL_TEXTURE_2D_ARRAY, int(level), levels[level]);

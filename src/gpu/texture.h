@@ -35,9 +35,11 @@ public:
     Texture(Context& context, TextureFormat format, int width, int height);
     /// From 8-bit RGBA pixels whose rows run top to bottom.
     Texture(Context& context, const std::uint8_t* pixels, int width, int height, Filter filter, Wrap wrap);
-    /// A volume: repeated across, held at its first and last slice in depth. It has one mip level.
+    /// A volume: repeated across, held at its first and last slice in depth. It has one mip level. Throws Error
+    /// for one that is larger than the context's volumes can be.
     Texture(Context& context, const Slices& volume, Filter filter);
-    /// Layers whose mip levels are given, each half the size of the one before, down to one pixel; repeated.
+    /// Layers whose mip levels are given, each half the size of the one before, down to one pixel; repeated. Throws
+    /// Error for more layers, or larger ones, than the context can have.
     Texture(Context& context, std::span<const Slices> levels, Filter filter);
     ~Texture();
     Texture(const Texture&) = delete;

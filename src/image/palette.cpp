@@ -24,10 +24,11 @@ std::uint32_t packed(const glm::u8vec4& pixel) {
     return std::uint32_t(pixel.x) << 16 | std::uint32_t(pixel.y) << 8 | std::uint32_t(pixel.z);
 }
 
-// The distinct colours, ascending, or one more than `count` of them.
+// The distinct colours of what is not fully transparent, ascending, or one more than `count` of them.
 std::vector<std::uint32_t> distinct_colors(const Image& image, std::size_t count) {
     std::vector<std::uint32_t> found;
     for (const glm::u8vec4& pixel : image.pixels()) {
+        if (pixel.w == 0) continue;
         const std::uint32_t color = packed(pixel);
         const auto place = std::lower_bound(found.begin(), found.end(), color);
         if (place != found.end() && *place == color) continue;
@@ -37,15 +38,17 @@ std::vector<std::uint32_t> distinct_colors(const Image& image, std::size_t count
     return found;
 }
 
-// Cells of 8 levels a side: fewer samples than any photograph's colours, without moving their means.
+// Cells of 8 levels a side: fewer samples than any photograph's colours, without moving their means. A pixel weighs as
+// much as it is opaque.
 std::vector<Sample> samples_of(const Image& image) {
     constexpr int bits = 5, dropped = 8 - bits;
     std::vector<Sample> cells(std::size_t{1} << (3 * bits));
     for (const glm::u8vec4& pixel : image.pixels()) {
         const std::size_t cell = (std::size_t(pixel.x >> dropped) << (2 * bits)) |
                                  (std::size_t(pixel.y >> dropped) << bits) | std::size_t(pixel.z >> dropped);
-        cells[cell].color += glm::dvec3(pixel);
-        cells[cell].weight += 1;
+        const double weight = pixel.w / 255.0;
+        cells[cell].color += weight * glm::dvec3(pixel);
+        cells[cell].weight += weight;
     }
     std::erase_if(cells, [](const Sample& cell) { return cell.weight == 0; });
     for (Sample& cell : cells) cell.color /= cell.weight;
@@ -173,14 +176,16 @@ Raster<std::uint8_t> nearest_entries(const Image& image, const Palette& palette)
 }
 
 Raster<std::uint8_t> mode_filtered(const Raster<std::uint8_t>& values, int radius) {
-    Raster<std::uint8_t> filtered(values.width(), values.height());
+    const int width = values.width(), height = values.height();
+    assert(radius <= width && radius <= height);
+    Raster<std::uint8_t> filtered(width, height);
     const auto mode_at = [&](int x, int y) {
         std::array<std::uint16_t, 256> counts{};
         std::uint8_t mode = values.at(x, y);
         const auto each_neighbour = [&](const auto& visit) {
-            for (int v = std::max(y - radius, 0); v <= std::min(y + radius, values.height() - 1); ++v) {
-                for (int u = std::max(x - radius, 0); u <= std::min(x + radius, values.width() - 1); ++u) {
-                    visit(values.at(u, v));
+            for (int v = y - radius; v <= y + radius; ++v) {
+                for (int u = x - radius; u <= x + radius; ++u) {
+                    visit(values.at((u + width) % width, (v + height) % height));
                 }
             }
         };
@@ -201,7 +206,9 @@ Raster<std::uint8_t> mode_filtered(const Raster<std::uint8_t>& values, int radiu
 Image with_fewer_colors(const Image& image, int count) {
     if (image.empty()) return image;
     const Palette palette = choose_palette(image, count);
-    const Raster<std::uint8_t> entries = mode_filtered(nearest_entries(image, palette), mode_radius);
+    if (palette.empty()) return image;  // nothing of it shows
+    const int radius = std::min({mode_radius, image.width(), image.height()});
+    const Raster<std::uint8_t> entries = mode_filtered(nearest_entries(image, palette), radius);
     Image reduced(image.width(), image.height());
     for (std::size_t i = 0; i < reduced.pixels().size(); ++i) {
         reduced.pixels()[i] = glm::u8vec4(palette[entries.pixels()[i]], image.pixels()[i].w);

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/names.h"
 #include "base/random.h"
+#include "model/welding.h"
 
 namespace croquis::model {
 namespace {
@@ -28,27 +29,6 @@ constexpr double marked_share = 0.5;
 glm::vec3 unit_or_zero(const glm::vec3& v) {
     const float length = glm::length(v);
     return length > 0 ? v / length : glm::vec3(0.0f);
-}
-
-bool comes_before(const glm::vec3& a, const glm::vec3& b) {
-    if (a.x != b.x) return a.x < b.x;
-    if (a.y != b.y) return a.y < b.y;
-    return a.z < b.z;
-}
-
-// For each position the number of the first one that equals it, counted without gaps.
-std::vector<std::uint32_t> welded(std::span<const glm::vec3> positions) {
-    std::vector<std::uint32_t> order(positions.size());
-    std::iota(order.begin(), order.end(), 0u);
-    std::sort(order.begin(), order.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return comes_before(positions[a], positions[b]); });
-    std::vector<std::uint32_t> vertex(positions.size());
-    std::uint32_t count = 0;
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        if (i > 0 && positions[order[i]] != positions[order[i - 1]]) ++count;
-        vertex[order[i]] = count;
-    }
-    return vertex;
 }
 
 // The constant view vector of seed A, 3.5.2.1, from the eye to the centre of the bounding box, and the cut-off below
@@ -95,9 +75,11 @@ FaceOrientation::FaceOrientation(const Model& model, const Pose* pose) {
 
 // Welded at rest: who belongs together does not change with the pose.
 void FaceOrientation::add_mesh(const Mesh& mesh, std::span<const glm::vec3> positions, bool is_inverted) {
-    const std::vector<std::uint32_t> vertex = welded(mesh.positions);
+    const std::span<const glm::vec3> at_rest = mesh.positions;
+    const WeldedPoints welded = weld_points({&at_rest, 1});
+    const std::vector<std::uint32_t>& vertex = welded.ids;
     const auto first = std::uint32_t(positions_.size());
-    if (!vertex.empty()) positions_.resize(first + *std::max_element(vertex.begin(), vertex.end()) + 1);
+    positions_.resize(first + welded.positions.size());
     for (std::size_t i = 0; i < vertex.size(); ++i) positions_[first + vertex[i]] = positions[i];
     for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
         Corners corners{};

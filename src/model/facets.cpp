@@ -47,10 +47,21 @@ FacetLayout facet_layout(const Mesh& mesh) {
     return layout;
 }
 
+glm::vec4 facet_color(const Mesh& mesh, std::size_t triangle) {
+    if (mesh.colors.empty()) return glm::vec4(1.0f);
+    glm::vec4 sum(0.0f);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const glm::u8vec4 color = mesh.colors[mesh.triangles[3 * triangle + i]];
+        if (color == mesh.colors[mesh.triangles[3 * triangle + (i + 1) % 3]]) return glm::vec4(color) / 255.0f;
+        sum += glm::vec4(color);
+    }
+    return sum / (3.0f * 255.0f);
+}
+
 Facet facet_of(const Mesh& mesh, std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
                std::size_t triangle) {
     Facet facet;
-    if (!mesh.colors.empty()) facet.color = glm::vec4(0.0f);
+    facet.color = facet_color(mesh, triangle);
     for (std::size_t i = 0; i < 3; ++i) {
         const std::uint32_t vertex = mesh.triangles[3 * triangle + i];
         const std::uint32_t next = mesh.triangles[3 * triangle + (i + 1) % 3];
@@ -58,7 +69,6 @@ Facet facet_of(const Mesh& mesh, std::span<const glm::vec3> positions, std::span
         facet.barycentre += positions[vertex] / 3.0f;
         facet.size = std::max(facet.size, glm::distance(positions[vertex], positions[next]));
         if (!mesh.texcoords.empty()) facet.texcoord += mesh.texcoords[vertex] / 3.0f;
-        if (!mesh.colors.empty()) facet.color += glm::vec4(mesh.colors[vertex]) / (3.0f * 255.0f);
     }
     return facet;
 }

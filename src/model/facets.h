@@ -27,8 +27,12 @@ struct Facet {
     glm::vec3 barycentre{0.0f};  ///< seed B, before equation 4.2
     float size = 0;              ///< its longest side
     glm::vec2 texcoord{0.0f};    ///< at the barycentre
-    glm::vec4 color{1.0f};       ///< the mean of its vertices' colours; white where there are none
+    glm::vec4 color{1.0f};       ///< facet_color
 };
+
+/// The colour that two of the triangle's vertices have, else the mean of all three: so areas of one colour end in clear
+/// borders, and gradients run on. White where there are no colours.
+[[nodiscard]] glm::vec4 facet_color(const Mesh& mesh, std::size_t triangle);
 
 /// A triangle of the mesh, whose vertices stand at these positions with these normals.
 [[nodiscard]] Facet facet_of(const Mesh& mesh, std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,

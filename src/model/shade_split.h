@@ -1,6 +1,6 @@
 // Fine crosshatching's geometry: triangles split along shadow lines, so that each piece has one level of shade (seed B,
 // chapter 4, "'Fine' Crosshatching"). Drawings on the screen find the same pieces pixel by pixel
-// (hatching_levels.glsl); this is their reference, and what draws them as vectors.
+// (hatching_levels.glsl); this is their reference.
 #pragma once
 
 #include <array>

@@ -67,6 +67,22 @@ TEST(WriteFileWhole, LeavesNothingBehindWhenItCannotReplace) {
 
 TEST(WriteFileWhole, WritesThroughToDevices) { EXPECT_NO_THROW(write_file_whole("/dev/null", "x")); }
 
+TEST(CheckWritable, RefusesWhatCannotBeWrittenAndWritesNothing) {
+    const TemporaryFolder folder;
+    const auto kept = folder.write("kept", "old");
+    const auto longest = folder.path() / std::string(255, 'n');
+    for (const auto& path : {folder.path(), folder.path() / "missing" / "file", longest}) {
+        EXPECT_EQ(error_of([&] { check_writable(path); }), error_of([&] { write_file_whole(path, "x"); }));
+        EXPECT_NE(error_of([&] { check_writable(path); }), "no error");
+    }
+    for (const std::filesystem::path& path :
+         {kept, folder.path() / "new", std::filesystem::path("/dev/null"), std::filesystem::path("-")}) {
+        EXPECT_NO_THROW(check_writable(path));
+    }
+    EXPECT_EQ(read_file(kept, 100), "old");
+    EXPECT_EQ(file_count(folder.path()), 1u);
+}
+
 TEST(ReadFile, TellsWhatIsWrong) {
     const TemporaryFolder folder;
     const auto missing = folder.path() / "missing";

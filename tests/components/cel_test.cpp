@@ -152,7 +152,7 @@ protected:
 
 const std::vector<std::pair<std::string, std::string>> stepped{
     {"cel", "levels 4 ;"},
-    {"comic", "tones \"multiply\" ; shade_map \"shade:three_tone:0\" ;"},
+    {"comic", "tones \"multiply\" ; shade_map \"shade:three_shares:0\" ;"},
     {"comic_extended", "full_light 1 ; shininess 8 ; shade_map \"shade:banded:0\" ;"},
     {"render_toon_soft", "toon_map \"toon:four_tone:0\" ;"}};
 

@@ -76,10 +76,10 @@ glm::vec4 opaque(const glm::dvec3& color) { return {glm::clamp(glm::vec3(color),
 using Comic = Shading;
 
 TEST_F(Comic, InterpolatesTheIndexAndDarkensByTable5) {
-    const image::Image map = map_image("shade", "three_tone");
+    const image::Image map = map_image("shade", "three_shares");
     for (const auto& [darkening, gain] : {std::pair(0.242, 0.12), std::pair(0.155, 0.042), std::pair(0.9, -0.3)}) {
         expect_shaded(
-            fmt::format("pass comic c {{ shade_map \"shade:three_tone:0\" ; softness 0 ; darkening {} ; "
+            fmt::format("pass comic c {{ shade_map \"shade:three_shares:0\" ; softness 0 ; darkening {} ; "
                         "saturation_gain {} ; }} ;",
                         darkening, gain),
             1,
@@ -171,7 +171,8 @@ protected:
                             : r_dot_v_expanded(glm::dot(to_light, to_eye), glm::dot(n, own_light), glm::dot(n, to_eye));
                     return std::pow(std::max(reflected, 0.0), exponent);
                 });
-                const auto column = texel(diffuse, map.width()), row = texel(specular, map.height());
+                if (std::abs(diffuse) < 2e-3) return std::nullopt;
+                const auto column = texel(diffuse, map.width()), row = texel(diffuse > 0 ? specular : 0, map.height());
                 if (!column || !row) return std::nullopt;
                 return opaque(glm::dvec3(lit.light.color) * map_color(map, *column, *row));
             },
@@ -209,6 +210,32 @@ TEST_F(ComicExtended, LightAtEachPixelIsTheDirectForm) {
         0.2);
 }
 
+// Light from behind is mirrored towards the eye by the surfaces that it does not reach.
+TEST_F(ComicExtended, NothingShinesOnTheUnlitSide) {
+    const framework::Light light{framework::Light::Bound::world, framework::Light::Kind::direction, {0.2, -0.3, -1}};
+    Stage stage(studio(), {.model = icosphere(3), .view = seen_from({0, 0, 1}), .light = light});
+    const Lit lit{stage.model().materials.front(), stage.camera(), light};
+    const RayCaster rays(stage.model(), stage.camera(), stage.width(), stage.height());
+    for (const std::string component : {"comic_extended", "comic_extended_per_pixel"}) {
+        const image::Image picture =
+            stage.picture("pass " + component +
+                          " c { shade_map \"shade:additive:0\" ; color_share 0 ; full_light 1 ; softness 0 ; } ;");
+        int mirrored = 0;
+        expect_pixels(
+            picture,
+            [&](int x, int y) -> std::optional<glm::vec4> {
+                const auto hit = rays.is_certain(x, y) ? rays.pixel(x, y) : std::nullopt;
+                if (!hit) return std::nullopt;
+                const glm::dvec3 to_light = lit.to_light(hit->position);
+                if (glm::dot(hit->normal, to_light) > -0.02) return std::nullopt;
+                mirrored += r_dot_v_direct(hit->normal, to_light, lit.to_eye(hit->position)) > 0.9;
+                return glm::vec4(0, 0, 0, 1);
+            },
+            1.5, 1.0);
+        EXPECT_GT(mirrored, 20) << "pixels where the equation alone would shine";
+    }
+}
+
 // Figure 25b.
 TEST_F(ComicExtended, AConstantViewVectorIsTheCentres) {
     expect_extended("shininess 6 ; view_vector \"constant\" ;", 6, [](const Lit& lit, const glm::dvec3&) {
@@ -238,8 +265,10 @@ std::set<std::array<int, 3>> colors_of(const image::Image& picture) {
 TEST_F(Comic, EachTriangleHasOneColour) {
     Stage stage(studio(), {.model = coloured_square(), .view = seen_from({0, 0, 1})});
     const image::Image picture = stage.picture("pass comic_surface c {} ;");
-    // Those of the triangles' last corners, and the background.
-    EXPECT_EQ(colors_of(picture), (std::set<std::array<int, 3>>{{0, 0, 255}, {255, 255, 0}, {255, 255, 255}}));
+    // The means of red, green and blue and of red, blue and yellow, and the background.
+    const std::set<std::array<int, 3>> expected{{85, 85, 85}, {170, 85, 85}, {255, 255, 255}};
+    EXPECT_EQ(colors_of(picture), expected);
+    EXPECT_EQ(colors_of(stage.picture("pass comic_surface c { orientation \"triangles_exact\" ; } ;")), expected);
 }
 
 // A square with a texture of noise.

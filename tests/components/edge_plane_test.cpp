@@ -112,7 +112,8 @@ TEST_F(EdgePlanes, LinesAreAsWideAsAsked) {
         Stage stage(studio(),
                     {.model = board, .view = seen_from({0, 0, 1}), .width = 80, .height = 80, .pixel_scale = scale});
         for (const double width : {1.0, 2.0, 3.0, 8.0}) {
-            const image::Image picture = stage.picture(lines(fmt::format("width {} ;", width)));
+            const image::Image picture =
+                stage.picture(lines(fmt::format("width {} ; }} ; modify rows {{ width 8 ;", width)));
             double ink = 0;
             for (int x = 0; x < picture.width() / 2; ++x) ink += 1 - picture.at(x, picture.height() / 2).x / 255.0;
             EXPECT_NEAR(ink, width * scale, 0.02 * width + 0.02) << "width " << width << ", scale " << scale;

@@ -95,6 +95,37 @@ TEST_F(HatchingTest, ChalkDrawsTheLight) {
     EXPECT_NEAR(mean_tone(stage.picture(chalk), 256), 0.75, 0.02);
 }
 
+TEST_F(HatchingTest, TheHighlightIsTheMaterials) {
+    // Seen along the normal in light along it, the specular factor is 1; the intensity is seed C's equation 4.5.
+    for (const glm::vec3& specular : {glm::vec3(0), glm::vec3(0.5f), glm::vec3(1, 0.5, 0)}) {
+        Shot shot = board_in_light(1, 300);
+        model::Material material = plain("glossy", {0, 0, 0});
+        material.specular = specular;
+        shot.model = model_of({{"board", quad_corners({-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0})}}, {material});
+        const image::Image picture =
+            Stage(studio(), shot).picture(toned(toned_styles[0], "highlight 0.8 ; material_share 1 ;"));
+        const double intensity = 0.3 * specular.x + 0.6 * specular.y + 0.1 * specular.z;
+        EXPECT_NEAR(mean_tone(picture, 256), 0.8 * intensity, 0.01);
+    }
+}
+
+TEST_F(HatchingTest, PencilsOfLightColoursAreSeenOnPaper) {
+    // In the dark all is ink: on white paper half of the colour's white is left, in chalk all of it.
+    Shot shot = board_in_light(0, 40);
+    for (const glm::vec3& color : {glm::vec3(1), glm::vec3(0.8f), glm::vec3(0.8, 0.6, 0.2), glm::vec3(0.6, 0, 0.4)}) {
+        shot.model = model_of({{"board", quad_corners({-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0})}},
+                              {plain("colour", color)});
+        const auto middle = [&](const std::string& more) {
+            return Stage(studio(), shot).picture(toned(toned_styles[0], "material_ink 1 ; " + more)).at(20, 20);
+        };
+        const glm::u8vec4 pencil = middle(""), chalk = middle("draw_light true ; ambient 1 ;");
+        for (int c = 0; c < 3; ++c) {
+            EXPECT_NEAR(pencil[c], 255 * (color[c] - 0.5 * std::min({color.x, color.y, color.z})), 1);
+            EXPECT_NEAR(chalk[c], 255 * color[c], 1);
+        }
+    }
+}
+
 // Four samples lie a quarter of a pixel from the pixel's centre. So their mean has three quarters of the texel there
 // and an eighth of each one beside it, along both axes.
 double mean_of_filtered_samples(const image::Image& picture, int x, int y) {
@@ -136,6 +167,28 @@ TEST_F(HatchingTest, PaperShowsBetweenStrokesAndHiddenSurfacesDoNot) {
         EXPECT_EQ(both, picture_of({{"far", far}, {"near", near}}, "objects \"near\" ;")) << style.component;
         const image::Image light = picture_of({{"near", near}}, "tone_range -1 0.1 ;");
         EXPECT_EQ(light.at(50, 50), glm::u8vec4(204, 153, 102, 255)) << "full light draws nothing";
+    }
+}
+
+TEST_F(HatchingTest, AStencilOutlineStaysOutside) {
+    const std::string paper = "pass background p { color 1 1 1 ; } ; ";
+    const std::string outline = " pass outline o { method \"stencil\" ; width 4 ; color 1 0 0 ; } ;";
+    for (const char* const component :
+         {"hatch_simple", "hatch_fine", "hatch_projective", "hatch_volume", "hatch_screen", "hatch_surface"}) {
+        for (const std::string& under : {std::string(), paper}) {
+            Stage stage(studio(), {.model = icosphere(2), .view = seen_from({1, 0.5, 1}), .width = 80, .height = 80});
+            const std::string hatching =
+                fmt::format("{}pass {} s {{ keep_color {} ; }} ;", under, component, !under.empty());
+            const image::Image plain = stage.picture(hatching), outlined = stage.picture(hatching + outline);
+            const image::Image shape = stage.picture("pass render_base b { clear_color 0 1 0 ; } ;");
+            int changed_inside = 0, changed_outside = 0;
+            for (std::size_t i = 0; i < shape.pixels().size(); ++i) {
+                const bool is_outside = shape.pixels()[i] == glm::u8vec4(0, 255, 0, 255);
+                (is_outside ? changed_outside : changed_inside) += plain.pixels()[i] != outlined.pixels()[i];
+            }
+            EXPECT_EQ(changed_inside, 0) << component;
+            EXPECT_GT(changed_outside, 300) << component;
+        }
     }
 }
 
@@ -211,13 +264,31 @@ TEST_F(HatchingTest, TheMapSaysHowTransparentTheStrokesAre) {
     }
 }
 
+// Seven even tones in two sizes: 10 to 50 between the first and the last.
+image::Image tonal_image(int first, int last) {
+    image::Image image(4, 14);
+    for (int y = 0; y < 14; ++y) {
+        const int tone = y < 2 ? first : y < 12 ? y / 2 * 10 : last;
+        for (int x = 0; x < 4; ++x) image.at(x, y) = glm::u8vec4(std::uint8_t(tone));
+    }
+    return image;
+}
+
 TEST_F(HatchingTest, TellsOfStrokesThatDoNotFit) {
     EXPECT_EQ(error_of([] { (void)studio().open("pass hatch_screen s { strokes \"\" ; } ;"); }),
               "test.technique:1:1: pass \"s\": expected an image of strokes, found none");
-    EXPECT_EQ(error_of([] { (void)framework::cut_volume(image::Image(4, 10), "a.png"); }),
-              "a.png: expected the square slices of a volume below each other, found 4 x 10 pixels");
+    for (const auto& [width, height] : {std::pair(4, 10), {4, 4}}) {
+        EXPECT_EQ(
+            error_of([w = width, h = height] { (void)framework::cut_volume(image::Image(w, h), "a.png"); }),
+            fmt::format("a.png: expected two or more square slices of a volume below each other, found {} x {} pixels",
+                        width, height));
+    }
+    for (const auto& [first, last] : {std::pair(250, 0), {255, 4}, {0, 255}}) {
+        EXPECT_EQ(error_of([a = first, b = last] { (void)framework::cut_tonal(tonal_image(a, b), "a.png"); }),
+                  fmt::format("a.png: expected tones from white (255) to black (0), found {}.0 to {}.0", first, last));
+    }
     for (const auto& [width, height] : {std::pair(6, 12), {8, 20}, {8, 18}, {1, 4}}) {
-        EXPECT_EQ(error_of([&] { (void)framework::cut_tonal(image::Image(width, height), "a.png"); }),
+        EXPECT_EQ(error_of([w = width, h = height] { (void)framework::cut_tonal(image::Image(w, h), "a.png"); }),
                   fmt::format("a.png: expected 4, 7, 10, ... tones below each other, each half as high as the image is "
                               "wide, and that a power of two; found {} x {} pixels",
                               width, height));
@@ -225,13 +296,11 @@ TEST_F(HatchingTest, TellsOfStrokesThatDoNotFit) {
 }
 
 TEST_F(HatchingTest, TonalImagesAreCutIntoLayersOfFourTones) {
-    image::Image image(4, 14);
-    for (int tone = 0; tone < 7; ++tone) image.at(2, 2 * tone) = glm::u8vec4(std::uint8_t(10 * tone));
-    const std::vector<gpu::Slices> levels = framework::cut_tonal(image, "a.png");
+    const std::vector<gpu::Slices> levels = framework::cut_tonal(tonal_image(255, 0), "a.png");
     ASSERT_EQ(levels.size(), 2u);
     EXPECT_EQ(levels[0].pixels.size(), 2u * 2 * 2 * 4);
     EXPECT_EQ(levels[1].count, 2);
-    EXPECT_EQ(levels[1].pixels, (std::vector<std::uint8_t>{0, 10, 20, 30, 30, 40, 50, 60}));
+    EXPECT_EQ(levels[1].pixels, (std::vector<std::uint8_t>{255, 10, 20, 30, 30, 40, 50, 0}));
 }
 
 }  // namespace

@@ -16,8 +16,8 @@ using namespace test_support;
 
 constexpr const char* fill = "pass render_base surfaces { clear_color 1 1 1 ; } ;";
 
-std::string outlined(const std::string& settings) {
-    return fmt::format("{}\npass outline lines {{ color 0 0 0 ; {} }} ;", fill, settings);
+std::string outlined(const std::string& settings, const std::string& filled = fill) {
+    return fmt::format("{}\npass outline lines {{ color 0 0 0 ; shortest 0 ; {} }} ;", filled, settings);
 }
 
 bool is_white(const glm::u8vec4& color) { return color == white; }
@@ -55,9 +55,9 @@ class Outlines : public StudioTest {
 protected:
     // All around the shape the line covers what lies within its width, corners too, and nothing farther off. The mask
     // knows the shape to half a pixel.
-    static void expect_band(Stage& stage, const std::string& settings, double width) {
-        const int scale = stage.picture(fill).width() / stage.width();
-        const image::Image plain = stage.picture(fill), picture = stage.picture(outlined(settings));
+    static void expect_band(Stage& stage, const std::string& settings, double width, const std::string& filled = fill) {
+        const image::Image plain = stage.picture(filled), picture = stage.picture(outlined(settings, filled));
+        const int scale = plain.width() / stage.width();
         const Mask mask(plain);
         int unsure = 0;
         for (int y = 0; y < picture.height(); ++y) {
@@ -96,6 +96,40 @@ TEST_F(Outlines, FrontFaceSurroundsTheShapeAsWideAsAsked) {
         Stage stage(studio(), {.view = seen_from(direction)});
         expect_band(stage, "method \"front_face\" ; width 3 ;", 3);
     }
+}
+
+TEST_F(Outlines, APartAloneIsSurroundedWhereItMeetsTheRestToo) {
+    const ModelPointer model = model_of({{"left", quad_corners({-1, -1, 0}, {0, -1, 0}, {0, 1, 0}, {-1, 1, 0})},
+                                         {"right", quad_corners({0, -1, 0}, {1, -1, 0}, {1, 1, 0}, {0, 1, 0})}});
+    Stage stage(studio(), {.model = model, .view = seen_from({0.3, 0.2, 1})});
+    expect_band(stage, "width 3 ; objects \"left\" ;", 3,
+                "pass render_base surfaces { clear_color 1 1 1 ; objects \"left\" ; } ;");
+}
+
+TEST_F(Outlines, LinesEndAtTheNearPlane) {
+    const ModelPointer floor = model_of({{"floor", quad_corners({-1, 0, 9}, {1, 0, 9}, {1, 0, -9}, {-1, 0, -9})}});
+    model::ViewRequest view;
+    view.eye = glm::dvec3(0.2, 0.4, 2);
+    view.target = glm::dvec3(0, 0.3, -9);
+    Stage stage(studio(), {.model = floor, .view = view});
+    expect_band(stage, "width 3 ;", 3);
+}
+
+TEST_F(Outlines, SpecksAreLeftOut) {
+    const auto board = [](float x, float side) {
+        return quad_corners({x, 0, 0}, {x + side, 0, 0}, {x + side, side, 0}, {x, side, 0});
+    };
+    const ModelPointer model = model_of({{"large", board(0, 1)}, {"small", board(1.5f, 0.05f)}});
+    Stage stage(studio(), {.model = model, .view = seen_from({0, 0, 1})});
+    const auto ink = [&](const std::string& objects, double shortest) {
+        const image::Image picture = stage.picture(
+            fmt::format("pass outline lines {{ keep_color false ; width 2 ; shortest {} ; objects \"{}\" ; }} ;",
+                        shortest, objects));
+        return std::count(picture.pixels().begin(), picture.pixels().end(), black);
+    };
+    EXPECT_GT(ink("small", 0), 5);
+    EXPECT_EQ(ink("small", 30), 0);
+    EXPECT_EQ(ink("large", 30), ink("large", 0));
 }
 
 // A little cube before a large board.

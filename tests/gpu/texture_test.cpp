@@ -1,6 +1,7 @@
 // Textures and framebuffers: rows run from top to bottom outside this folder, copies are exact, nothing leaks.
 #include "gpu/texture.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "base/random.h"
@@ -101,6 +102,25 @@ TEST_F(TextureTest, UploadsAreCounted) {
     const std::uint8_t pixel[] = {1, 2, 3, 4};
     const Texture texture(studio().context(), pixel, 1, 1, Filter::nearest, Wrap::repeat);
     EXPECT_EQ(studio().counters().texture_uploads, before + 1);
+}
+
+TEST_F(TextureTest, TellsOfVolumesAndLayersThatAreTooLarge) {
+    const gpu::Counters before = studio().counters();
+    const int side = studio().context().longest_volume_side(), layers = studio().context().most_layers();
+    EXPECT_GE(side, 256);
+    EXPECT_GE(layers, 256);
+    const auto slices = [](int count) {
+        return Slices{std::vector<std::uint8_t>(std::size_t(count) * 4), 1, 1, count};
+    };
+    EXPECT_EQ(
+        test_support::error_of([&] { (void)Texture(studio().context(), slices(side + 1), Filter::nearest); }),
+        fmt::format("expected a volume of at most {} x {} x {} pixels, found 1 x 1 x {}", side, side, side, side + 1));
+    const int longest = studio().context().longest_side();
+    const std::vector<Slices> levels{slices(layers + 1)};
+    EXPECT_EQ(test_support::error_of([&] { (void)Texture(studio().context(), levels, Filter::nearest); }),
+              fmt::format("expected layers of at most {} x {} x {} pixels, found 1 x 1 x {}", longest, longest, layers,
+                          layers + 1));
+    EXPECT_EQ(studio().counters().live_objects(), before.live_objects());
 }
 
 }  // namespace

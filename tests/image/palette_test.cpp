@@ -98,8 +98,32 @@ TEST(Palette, OneColourIsTheMean) {
     const Palette palette = choose_palette(image, 1);
     ASSERT_EQ(palette.size(), 1u);
     glm::dvec3 mean(0.0);
-    for (const glm::u8vec4& pixel : image.pixels()) mean += glm::dvec3(pixel) / double(image.pixels().size());
-    for (int c = 0; c < 3; ++c) EXPECT_NEAR(palette[0][c], mean[c], 0.51);
+    double opacity = 0;
+    for (const glm::u8vec4& pixel : image.pixels()) {
+        mean += double(pixel.w) * glm::dvec3(pixel);
+        opacity += pixel.w;
+    }
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(palette[0][c], mean[c] / opacity, 0.51);
+}
+
+// What lies under full transparency takes no colour from what is seen.
+TEST(Palette, TransparentPixelsDoNotCount) {
+    Image image = photograph(31, 23, 9);
+    for (glm::u8vec4& pixel : image.pixels()) pixel.w = 255;
+    Image padded(31, 46, {0, 255, 0, 0});
+    for (int y = 0; y < 23; ++y) {
+        for (int x = 0; x < 31; ++x) padded.at(x, y) = image.at(x, y);
+    }
+    EXPECT_EQ(choose_palette(padded, 6), choose_palette(image, 6));
+    const Image unseen(5, 5, {1, 2, 3, 0});
+    EXPECT_TRUE(choose_palette(unseen, 6).empty());
+    EXPECT_EQ(with_fewer_colors(unseen, 6), unseen);
+}
+
+TEST(Palette, SmallImagesAreReduced) {
+    for (const auto& [width, height] : {std::pair(1, 1), std::pair(1, 9), std::pair(2, 3)}) {
+        EXPECT_LE(int(colors_of(with_fewer_colors(photograph(width, height, 10), 2)).size()), 2);
+    }
 }
 
 TEST(Palette, FewColoursStayExactly) {
@@ -132,7 +156,11 @@ TEST(Palette, TheModeFilterTakesTheMostFrequent) {
                 std::map<int, int> counts;
                 for (int v = 0; v < values.height(); ++v) {
                     for (int u = 0; u < values.width(); ++u) {
-                        if (std::max(std::abs(u - x), std::abs(v - y)) <= radius) ++counts[values.at(u, v)];
+                        const int across = std::abs(u - x), along = std::abs(v - y);  // or the other way round the edge
+                        if (std::min(across, values.width() - across) <= radius &&
+                            std::min(along, values.height() - along) <= radius) {
+                            ++counts[values.at(u, v)];
+                        }
                     }
                 }
                 const auto most = std::max_element(counts.begin(), counts.end(),

@@ -81,5 +81,14 @@ TEST(Facets, CarrySumsAndMeans) {
     EXPECT_EQ(facet_of(plain, plain.positions, plain.normals, 0).color, glm::vec4(1.0f));
 }
 
+TEST(Facets, TwoVerticesOfOneColourDecide) {
+    const glm::u8vec4 red(255, 0, 0, 255), blue(0, 0, 255, 255);
+    Mesh mesh = grid(1);
+    for (std::size_t odd = 0; odd < 3; ++odd) {
+        for (std::size_t i = 0; i < 3; ++i) mesh.colors[mesh.triangles[i]] = i == odd ? blue : red;
+        EXPECT_EQ(facet_color(mesh, 0), glm::vec4(1, 0, 0, 1)) << odd;
+    }
+}
+
 }  // namespace
 }  // namespace croquis::model

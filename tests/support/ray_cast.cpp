@@ -1,5 +1,6 @@
 #include "support/ray_cast.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -19,8 +20,27 @@ RayCaster::RayCaster(const model::Model& model, const model::Camera& camera, int
                 triangle.normals[c] = glm::dvec3(mesh.normals[vertex]);
             }
             triangles_.push_back(triangle);
+            boxes_.push_back(box_of(triangle));
         }
     }
+}
+
+// Where a ray can meet the triangle, in pixels and a little more; everywhere when a corner lies behind the eye.
+RayCaster::Box RayCaster::box_of(const Triangle& triangle) const {
+    constexpr double margin = 1e-3;
+    Box box{1e300, -1e300, 1e300, -1e300};
+    for (const glm::dvec3& corner : triangle.corners) {
+        const glm::dvec3 from_eye = corner - camera_.eye;
+        const double distance = -glm::dot(from_eye, camera_.back);
+        const bool is_parallel = camera_.projection == model::Projection::parallel;
+        if (!is_parallel && distance < 1e-6) return {-1e300, 1e300, -1e300, 1e300};
+        const double half = is_parallel ? camera_.half_height : camera_.tangent * distance;
+        const double x = 0.5 * (width_ + height_ * glm::dot(from_eye, camera_.right) / half);
+        const double y = 0.5 * height_ * (1.0 - glm::dot(from_eye, camera_.up) / half);
+        box = {std::min(box.left, x - margin), std::max(box.right, x + margin), std::min(box.top, y - margin),
+               std::max(box.bottom, y + margin)};
+    }
+    return box;
 }
 
 std::optional<Hit> RayCaster::at(double x, double y) const {
@@ -34,6 +54,8 @@ std::optional<Hit> RayCaster::at(double x, double y) const {
     }
     std::optional<Hit> nearest;
     for (std::size_t i = 0; i < triangles_.size(); ++i) {
+        const Box& box = boxes_[i];
+        if (x < box.left || x > box.right || y < box.top || y > box.bottom) continue;
         const Triangle& triangle = triangles_[i];
         const glm::dvec3 ab = triangle.corners[1] - triangle.corners[0], ac = triangle.corners[2] - triangle.corners[0];
         const glm::dvec3 p = glm::cross(direction, ac);

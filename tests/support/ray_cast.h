@@ -40,10 +40,16 @@ public:
     [[nodiscard]] const Triangle& triangle(const Hit& hit) const { return triangles_[hit.triangle]; }
 
 private:
+    struct Box {
+        double left, right, top, bottom;
+    };
+    [[nodiscard]] Box box_of(const Triangle& triangle) const;
+
     model::Camera camera_;
     int width_;
     int height_;
     std::vector<Triangle> triangles_;
+    std::vector<Box> boxes_;  // one a triangle
 };
 
 }  // namespace croquis::test_support
