@@ -8,7 +8,7 @@ uniform int pixel_scale;
 uniform bool is_parallel;
 uniform float line_width;       // pixels of the picture, or scene units
 uniform bool in_model_units;
-uniform float pixels_per_unit;  // pixels of the frame along a scene unit at w = 1
+uniform vec2 frame_reach;       // of half the frame at w = 1, scene units
 uniform bool only_outside;      // on the side away from the surface; else half on either side
 uniform float towards_eye;         // scene units by which the line is drawn nearer than it is
 uniform float widths_towards_eye;  // the same in widths of the line
@@ -41,14 +41,17 @@ float side_of_surface(vec4 start, vec4 end, vec4 inside) {
     return determinant(mat3(start.xyw, end.xyw, inside.xyw)) > 0.0 ? 1.0 : -1.0;
 }
 
+// Pixels of the frame along a scene unit at w = 1.
+float pixels_per_unit() { return 0.5 * frame_size.y / frame_reach.y; }
+
 float width_at(vec4 position) {
-    float frame_pixels = in_model_units ? line_width * pixels_per_unit / position.w : line_width * float(pixel_scale);
+    float frame_pixels = in_model_units ? line_width * pixels_per_unit() / position.w : line_width * float(pixel_scale);
     return min(frame_pixels, frame_size.x + frame_size.y);
 }
 
 // The depth of a point that was moved along its ray towards the eye.
 float moved_depth(vec4 position) {
-    float moved = towards_eye + widths_towards_eye * width_at(position) * position.w / pixels_per_unit;
+    float moved = towards_eye + widths_towards_eye * width_at(position) * position.w / pixels_per_unit();
     if (is_parallel) return position.z + depth_terms.x * moved;
     float share = max(1.0 - moved / position.w, 1e-3);
     return (position.z - depth_terms.y + depth_terms.y / share) / position.w;

@@ -6,6 +6,7 @@
 
 #include "components/occluder.h"
 #include "components/outline_edges.h"
+#include "components/outline_vertices.h"
 #include "framework/component.h"
 #include "framework/render_context.h"
 
@@ -190,7 +191,6 @@ private:
         context.apply(program);
         program.set("line_width", in_model_units ? hundredth * stroke.width : stroke.width);
         program.set("in_model_units", in_model_units);
-        program.set("pixels_per_unit", 0.5f * projection[1][1] * float(context.frame.height()));
         program.set("only_outside", stroke.only_outside);
         program.set("towards_eye", stroke.towards_eye);
         program.set("widths_towards_eye", stroke.widths_towards_eye);

@@ -36,32 +36,37 @@ void apply_blend(Blend blend) {
     }
 }
 
-void apply_stencil(Stencil stencil) {
-    enable(GL_STENCIL_TEST, stencil != Stencil::off);
+// Of a draw: which marks let it pass, which it may change, and what becomes of them where it is drawn.
+struct StencilRule {
+    GLenum function;
+    unsigned mark;
+    unsigned changes;
+    GLenum where_drawn;
+};
+
+StencilRule stencil_rule(Stencil stencil) {
     switch (stencil) {
         case Stencil::off:
             break;
         case Stencil::mark_surface:
-            glStencilFunc(GL_ALWAYS, surface_mark, surface_mark);
-            glStencilMask(surface_mark);
-            glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
-            break;
+            return {GL_ALWAYS, surface_mark, surface_mark, GL_REPLACE};
         case Stencil::outside_surfaces:
-            glStencilFunc(GL_NOTEQUAL, surface_mark, surface_mark);
-            glStencilMask(0);
-            glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-            break;
+            return {GL_NOTEQUAL, surface_mark, 0, GL_KEEP};
         case Stencil::mark_line:
-            glStencilFunc(GL_ALWAYS, line_mark, line_mark);
-            glStencilMask(line_mark);
-            glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
-            break;
+            return {GL_ALWAYS, line_mark, line_mark, GL_REPLACE};
         case Stencil::take_line_mark:
-            glStencilFunc(GL_EQUAL, line_mark, line_mark);
-            glStencilMask(line_mark);
-            glStencilOp(GL_KEEP, GL_KEEP, GL_ZERO);
-            break;
+            return {GL_EQUAL, line_mark, line_mark, GL_ZERO};
     }
+    return {GL_ALWAYS, 0, 0, GL_KEEP};
+}
+
+void apply_stencil(Stencil stencil) {
+    enable(GL_STENCIL_TEST, stencil != Stencil::off);
+    if (stencil == Stencil::off) return;
+    const StencilRule rule = stencil_rule(stencil);
+    glStencilFunc(rule.function, GLint(rule.mark), rule.mark);
+    glStencilMask(rule.changes);
+    glStencilOp(GL_KEEP, GL_KEEP, rule.where_drawn);
 }
 
 // The groups of a SavedState: each reads its part when it is made and puts it back at its end.

@@ -23,18 +23,23 @@ PosedShape posed_shape(const Model& model, const Pose* pose) {
     return shape;
 }
 
-std::vector<glm::vec3> posed_positions(const Model& model, const Pose& pose) {
-    const Topology& topology = model.topology();
+std::vector<std::uint32_t> topology_vertices(const Model& model) {
+    const std::vector<std::uint32_t>& sewn = model.topology().sewn;
     std::vector<std::span<const glm::vec3>> at_rest;
     for (const Mesh& mesh : model.meshes) at_rest.emplace_back(mesh.positions);
-    const WeldedPoints welded = weld_points(at_rest);
-    std::vector<glm::vec3> positions(topology.positions.size());
-    for (std::size_t m = 0; m < model.meshes.size(); ++m) {
-        const std::vector<glm::vec3>& moved = pose[m].positions;
-        for (std::size_t v = 0; v < moved.size(); ++v) {
-            const std::uint32_t id = welded.ids[welded.first_of_list[m] + v];
-            positions[topology.sewn.empty() ? id : topology.sewn[id]] = moved[v];
-        }
+    std::vector<std::uint32_t> vertices = weld_points(at_rest).ids;
+    if (!sewn.empty()) {
+        for (std::uint32_t& vertex : vertices) vertex = sewn[vertex];
+    }
+    return vertices;
+}
+
+std::vector<glm::vec3> posed_positions(const Model& model, const Pose& pose) {
+    std::vector<glm::vec3> positions(model.topology().positions.size());
+    const std::vector<std::uint32_t> vertices = topology_vertices(model);
+    auto vertex = vertices.begin();
+    for (const MeshPose& mesh : pose) {
+        for (const glm::vec3& moved : mesh.positions) positions[*vertex++] = moved;
     }
     return positions;
 }

@@ -1,6 +1,7 @@
 // The welded topology's points and face normals at rest or in a pose; who touches whom never changes.
 #pragma once
 
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -19,5 +20,8 @@ struct PosedShape {
 
 /// The points of `model.topology()` in a pose.
 [[nodiscard]] std::vector<glm::vec3> posed_positions(const Model& model, const Pose& pose);
+
+/// The vertex of `model.topology()` that each vertex of each mesh is, the meshes' vertices in turn.
+[[nodiscard]] std::vector<std::uint32_t> topology_vertices(const Model& model);
 
 }  // namespace croquis::model

@@ -7,6 +7,7 @@
 
 #include "components/cross.h"
 #include "components/outline_edges.h"
+#include "components/outline_vertices.h"
 #include "support/studio.h"
 
 namespace croquis::components {
