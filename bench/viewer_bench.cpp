@@ -52,6 +52,8 @@ public:
         application_->frame(frame_size);
         ImGui::Render();
         window_.bind();
+        const ImVec4 color = ImGui::GetStyleColorVec4(ImGuiCol_WindowBg);
+        window_.clear_color({color.x, color.y, color.z, 1});
         ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
         context_->finish();
     }
@@ -128,6 +130,7 @@ int main(int argc, char** argv) {
             return benchmark::RegisterBenchmark(name,
                                                 [&desk, measured](benchmark::State& state) { measured(state, desk); })
                 ->Unit(benchmark::kMillisecond)
+                ->MeasureProcessCPUTime()
                 ->UseRealTime();
         };
         add("mouse to picture, cartoon", drag);

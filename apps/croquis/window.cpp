@@ -150,6 +150,9 @@ void Window::draw_frame(viewer::Application& application) {
     ImGui::Render();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);  // the application drew to its own
     glViewport(0, 0, pixels.width, pixels.height);
+    const ImVec4 color = ImGui::GetStyleColorVec4(ImGuiCol_WindowBg);
+    glClearColor(color.x, color.y, color.z, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     glfwSwapBuffers(window_);
 }

@@ -24,6 +24,7 @@ struct PassVariable {
     std::vector<double> numbers;                 ///< the value's numbers; none for text and textures
     bool read_only = false;                      ///< to be shown, but not changed while the technique runs
     bool internal = false;                       ///< not to be shown
+    bool common = false;                         ///< every pass of any technique has it: `render`, `objects`, …
 
     /// "pass.name", as `Technique::set` takes it.
     [[nodiscard]] std::string full_name() const { return pass + "." + name; }

@@ -68,7 +68,8 @@ PassVariable described(const framework::Pass& pass, const framework::VariableDes
         .value = plain_text(value),
         .numbers = numbers(value, descriptor.type),
         .read_only = descriptor.read_only,
-        .internal = descriptor.internal};
+        .internal = descriptor.internal,
+        .common = descriptor.common};
 }
 
 }  // namespace

@@ -197,6 +197,7 @@ private:
         variable.name = name;
         variable.type = *statement.type;
         variable.where = where;
+        variable.common = component.name == every_component;
         apply_properties(variable, statement, file);
         component.variables.push_back(std::move(variable));
     }

@@ -26,6 +26,7 @@ struct VariableDescriptor {
     bool fragment_parameter = false;              ///< reaches the fragment program's uniform of the same name
     bool read_only = false;                       ///< shown, but not changed at run time
     bool internal = false;                        ///< not shown
+    bool common = false;                          ///< declared by `every_component`
     std::string help;
     std::string unit;                      ///< "pixels", "degrees", …; empty for a plain number
     std::vector<std::string> choices;      ///< the only values a string may take; any where empty

@@ -38,7 +38,7 @@ public:
     bool press(std::string_view key);
     bool release(std::string_view key);
 
-    /// Draws what changed and shows the panels. `pixels` is the size of the picture, `ImGui::GetIO().DisplaySize` that
+    /// Draws what changed and shows the panels, in a window that is cleared to ImGuiCol_WindowBg. `pixels` is the size of the picture, `ImGui::GetIO().DisplaySize` that
     /// of the window in points.
     void frame(FrameSize pixels);
 

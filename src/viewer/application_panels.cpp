@@ -15,7 +15,10 @@
 namespace croquis::viewer {
 namespace {
 
+// Their background is the colour that the window was cleared to: to blend another over it costs a software renderer
+// milliseconds.
 constexpr ImGuiWindowFlags fixed_panel = ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
+                                         ImGuiWindowFlags_NoBackground |
                                          ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoBringToFrontOnFocus |
                                          ImGuiWindowFlags_NoNav;
 

@@ -149,6 +149,8 @@ std::string image_of(const std::string& texture) {
     return texture.substr(0, first == std::string::npos ? first : texture.find(':', first + 1));
 }
 
+bool is_switch_of_pass(const PassVariable& variable) { return variable.common && variable.name == "render"; }
+
 void set(Session& session, Messages& messages, const std::string& variable, const std::string& value) {
     try {
         session.set(variable, value);
@@ -167,22 +169,47 @@ void VariablesPanel::forget_textures() {
 
 void VariablesPanel::show(Session& session, Messages& messages) {
     const std::vector<PassVariable> variables = session.variables();
-    for (std::size_t first = 0; first < variables.size();) {
-        show_pass(variables, first, session, messages);
-        const std::string& pass = variables[first].pass;
-        while (first < variables.size() && variables[first].pass == pass) ++first;
+    for (auto first = variables.begin(); first != variables.end();) {
+        const auto next = std::find_if(first, variables.end(), [&](const auto& v) { return v.pass != first->pass; });
+        show_pass(std::span(first, next), session, messages);
+        first = next;
     }
 }
 
-void VariablesPanel::show_pass(const std::vector<PassVariable>& variables, std::size_t first, Session& session,
-                               Messages& messages) {
-    const std::string& pass = variables[first].pass;
+// The pass's own variables; those that every pass has are seldom wanted, and fold away. A pass that has no others is
+// folded whole.
+void VariablesPanel::show_pass(std::span<const PassVariable> variables, Session& session, Messages& messages) {
+    const auto is_own = [](const PassVariable& variable) { return !variable.common && !variable.internal; };
+    const auto is_hidden_at_first = [](const PassVariable& variable) { return variable.common && !variable.internal; };
+    const std::string& pass = variables.front().pass;
+    const bool has_own = std::any_of(variables.begin(), variables.end(), is_own);
     ImGui::PushID(pass.c_str());
-    const bool is_open = ImGui::CollapsingHeader(pass.c_str(), ImGuiTreeNodeFlags_DefaultOpen);
-    for (std::size_t i = first; is_open && i < variables.size() && variables[i].pass == pass; ++i) {
-        if (!variables[i].internal) show_variable(variables[i], session, messages);
+    const ImGuiTreeNodeFlags flags = has_own ? ImGuiTreeNodeFlags_DefaultOpen : 0;
+    const bool is_open = ImGui::CollapsingHeader(pass.c_str(), flags | ImGuiTreeNodeFlags_AllowItemOverlap);
+    const auto render = std::find_if(variables.begin(), variables.end(), is_switch_of_pass);
+    if (render != variables.end()) show_switch(*render, session, messages);
+    if (is_open) {
+        for (const PassVariable& variable : variables) {
+            if (is_own(variable)) show_variable(variable, session, messages);
+        }
+        if (ImGui::TreeNodeEx("as every pass", ImGuiTreeNodeFlags_NoTreePushOnOpen)) {
+            for (const PassVariable& variable : variables) {
+                if (is_hidden_at_first(variable) && !is_switch_of_pass(variable)) {
+                    show_variable(variable, session, messages);
+                }
+            }
+        }
     }
     ImGui::PopID();
+}
+
+// Whether the pass is drawn at all: at the right end of its header.
+void VariablesPanel::show_switch(const PassVariable& render, Session& session, Messages& messages) {
+    const float size = ImGui::GetFrameHeight();
+    ImGui::SameLine(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - size);
+    const std::string value = switched(render);
+    show_help(render, session.original_value(render.full_name()));
+    if (value != render.value) set(session, messages, render.full_name(), value);
 }
 
 // One row: the name, the widget, and where the value was changed a way back.

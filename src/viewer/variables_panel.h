@@ -1,6 +1,7 @@
 // The panel of a technique's variables, made from their descriptors alone.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,8 @@ public:
     void forget_textures();
 
 private:
-    void show_pass(const std::vector<PassVariable>& variables, std::size_t first, Session& session, Messages& messages);
+    void show_pass(std::span<const PassVariable> variables, Session& session, Messages& messages);
+    void show_switch(const PassVariable& render, Session& session, Messages& messages);
     void show_variable(const PassVariable& variable, Session& session, Messages& messages);
     [[nodiscard]] std::string edited(const PassVariable& variable);
     [[nodiscard]] std::string chosen_texture(const PassVariable& variable);

@@ -287,9 +287,10 @@ TEST_F(ApplicationTest, ASliderChangesItsVariable) {
         }
         return -1.0;
     };
-    // The panel covers the right 38 %; its sliders begin at 42 % of its inner width.
+    // The panel covers the right 38 %; its sliders begin at 42 % of its inner width. From below, for a click on a header
+    // folds what is under it.
     double first = -1, last = -1;
-    for (double y = 60; y < 395; y += 6) {
+    for (double y = 395; y > 60; y -= 6) {
         for (const double x : {520.0, 540.0}) {
             mouse(x, y, false);
             mouse(x, y, true);
