@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <string_view>
 #include <utility>
 
 #include "base/error.h"
@@ -55,6 +56,12 @@ std::string with_modifiers(const std::string& key, int modifiers) {
     if ((modifiers & GLFW_MOD_CONTROL) != 0) name += "Ctrl+";
     if ((modifiers & GLFW_MOD_SHIFT) != 0) name += "Shift+";
     return name + key;
+}
+
+// Whether a text that is being typed takes the key: all but Ctrl with what is no command of a text box.
+bool is_for_text(const std::string& key, int modifiers) {
+    constexpr std::string_view editing = "ACVXYZ";
+    return (modifiers & GLFW_MOD_CONTROL) == 0 || key.size() != 1 || editing.find(key) != std::string_view::npos;
 }
 
 std::string last_glfw_error() {
@@ -118,9 +125,9 @@ void Window::listen() {
         // A key that is only still held changes nothing, but for a text that is being typed.
         if (action == GLFW_REPEAT && !ImGui::GetIO().WantTextInput) return;
         Window& self = of(window);
-        if (self.application_ == nullptr || ImGui::GetIO().WantTextInput) return;
         const std::string name = name_of_key(key, scancode);
-        if (name.empty()) return;
+        if (self.application_ == nullptr || name.empty()) return;
+        if (ImGui::GetIO().WantTextInput && is_for_text(name, modifiers)) return;
         if (action == GLFW_RELEASE)
             self.application_->release(name);
         else if (action == GLFW_PRESS)

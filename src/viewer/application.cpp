@@ -267,7 +267,8 @@ void Application::frame(FrameSize pixels) {
         session_.set_moment(player_.clip(), player_.seconds());
     }
     move_by_mouse();
-    if (is_moving() || io.MouseWheel != 0 || ImGui::IsAnyItemActive()) moved_at_ = Clock::now();
+    const bool is_tuning = ImGui::IsAnyItemActive() && !io.WantTextInput;
+    if (is_moving() || io.MouseWheel != 0 || is_tuning) moved_at_ = Clock::now();
     draw_picture();
     draw_thumbnail();  // before the panels: what they show must last until they are drawn
     show_panels();

@@ -38,8 +38,8 @@ public:
     bool press(std::string_view key);
     bool release(std::string_view key);
 
-    /// Draws what changed and shows the panels, in a window that is cleared to ImGuiCol_WindowBg. `pixels` is the size of the picture, `ImGui::GetIO().DisplaySize` that
-    /// of the window in points.
+    /// Draws what changed and shows the panels, in a window that is cleared to ImGuiCol_WindowBg. `pixels` is the size
+    /// of the picture, `ImGui::GetIO().DisplaySize` that of the window in points.
     void frame(FrameSize pixels);
 
     /// Looks for models that were read and files that changed. True when a frame is due.
@@ -116,6 +116,8 @@ private:
     float left_ = 0, right_ = 0;  // widths of the panels, in points
     std::vector<std::string> techniques_;
     bool scroll_to_technique_ = true;
+    std::string searched_;  // part of the names in the list of techniques
+    bool wants_search_ = false;
     bool shows_help_ = false;
     bool has_passing_note_ = false;
     bool asks_where_to_save_ = false;

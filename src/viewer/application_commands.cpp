@@ -127,6 +127,11 @@ void Application::add_technique_commands() {
                        step_technique(1);
                    }});
     commands_.add({"Technique", "Previous technique", {"Up"}, "The one before.", [this] { step_technique(-1); }});
+    commands_.add({"Technique", "Search", {"Ctrl+F"}, "Shows the techniques alone whose names hold a text.", [this] {
+                       settings_.shows_panels = true;
+                       searched_.clear();
+                       wants_search_ = true;
+                   }});
     commands_.add({"Technique", "Reset values", {"Backspace"}, "All variables as the technique has them.", [this] {
                        session_.reset_all();
                    }});

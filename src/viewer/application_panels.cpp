@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <iterator>
 #include <utility>
 
 #include "viewer/appearance.h"
@@ -18,9 +19,8 @@ namespace {
 // Their background is the colour that the window was cleared to: to blend another over it costs a software renderer
 // milliseconds.
 constexpr ImGuiWindowFlags fixed_panel = ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
-                                         ImGuiWindowFlags_NoBackground |
-                                         ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoBringToFrontOnFocus |
-                                         ImGuiWindowFlags_NoNav;
+                                         ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoTitleBar |
+                                         ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav;
 
 constexpr std::array sample_counts{1, 4, 9, 16};
 
@@ -54,9 +54,20 @@ void Application::show_technique_panel(float width) {
     ImGui::SetNextWindowSize(ImVec2(width, ImGui::GetIO().DisplaySize.y));
     ImGui::Begin("techniques", nullptr, fixed_panel);
     show_menu();
+    if (std::exchange(wants_search_, false)) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(-1);
+    const bool is_entered =
+        ImGui::InputTextWithHint("##search", "search (Ctrl+F)", &searched_, ImGuiInputTextFlags_EnterReturnsTrue);
     ImGui::BeginChild("list");
-    const auto clicked =
-        show_techniques(techniques_, session_, thumbnails_, std::exchange(scroll_to_technique_, false));
+    std::vector<std::string> found;
+    std::copy_if(techniques_.begin(), techniques_.end(), std::back_inserter(found),
+                 [this](const std::string& name) { return name.find(searched_) != std::string::npos; });
+    if (found.empty()) ImGui::TextDisabled("no such technique");
+    if (is_entered && !found.empty()) {
+        choose_technique(found.front());
+        searched_.clear();
+    }
+    const auto clicked = show_techniques(found, session_, thumbnails_, std::exchange(scroll_to_technique_, false));
     if (clicked) {
         choose_technique(*clicked);
         scroll_to_technique_ = false;  // it is in sight
