@@ -51,14 +51,10 @@ void Application::add_view_commands() {
                    [this] { return magnifier_.is_held(); },
                    [this] { magnifier_.release(); }});
     commands_.add({"Window",
-                   "Square lens",
+                   "Shape of the lens",
                    {"Shift+M"},
-                   "The magnifier square instead of round.",
-                   [this] {
-                       const bool is_square = magnifier_.shape() == Magnifier::Shape::square;
-                       magnifier_.set_shape(is_square ? Magnifier::Shape::round : Magnifier::Shape::square);
-                   },
-                   [this] { return magnifier_.shape() == Magnifier::Shape::square; }});
+                   "The magnifier round, square, or a sphere that shows more at its rim, in turn.",
+                   [this] { magnifier_.take_next_shape(); }});
     commands_.add({"Window", "Close", {"Ctrl+Q"}, "Ends the program.", [this] { wants_to_close_ = true; }});
 }
 
