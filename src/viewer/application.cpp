@@ -119,13 +119,13 @@ void Application::step_technique(int step) {
     choose_technique(techniques_[std::size_t((at + count) % count)]);
 }
 
-// All that techniques can be made of, for a file that is new may be what one missed; and the folder of a technique that
-// was opened by its path, for what it includes lies there.
+// All that techniques can be made of, for a file that is new may be what one missed; and the folders of techniques that
+// were opened by their path, for what they include lies there.
 void Application::watch_files() {
     std::vector<fs::path> places;
     for (const std::string& folder : renderer_.info().data_folders) places.emplace_back(folder);
-    if (ending_of(session_.technique_name()) == ".technique") {
-        const fs::path technique(session_.technique_name());
+    for (const fs::path technique : session_.chosen_techniques()) {
+        if (technique.extension() != ".technique") continue;
         places.push_back(technique);
         std::error_code error;
         const fs::path folder = technique.has_parent_path() ? technique.parent_path() : fs::path(".");
@@ -133,8 +133,7 @@ void Application::watch_files() {
             if (entry.path().extension() == ".technique") places.push_back(entry.path());
         }
     }
-    watch_.watch(std::move(places));
-    looked_at_files_ = Clock::now();
+    watch_.watch(places);
 }
 
 void Application::reload_files() {
@@ -157,9 +156,13 @@ void Application::take_arrival(ModelLoader::Arrival arrival) {
     }
     if (arrival.model) {
         messages_.mended(Messages::Source::model);
-        player_.take(arrival.model->animations());
-        session_.show(*arrival.model, arrival.path, arrival.texture);
-        look_at_whole(View());
+        if (arrival.path == session_.model_path() && !arrival.texture.empty()) {
+            session_.lay_texture(*arrival.model, arrival.texture);
+        } else {
+            player_.take(arrival.model->animations());
+            session_.show(*arrival.model, arrival.path, arrival.texture);
+            look_at_whole(View());
+        }
         settings_.remember_model(fs::absolute(arrival.path).string());
         thumbnails_.restart();
     }
