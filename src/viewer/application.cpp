@@ -103,6 +103,12 @@ void Application::open(const std::string& path) {
     }
 }
 
+// A file manager has no order for what is dropped together.
+void Application::open(std::vector<std::string> paths) {
+    std::stable_partition(paths.begin(), paths.end(), is_model);
+    for (const std::string& path : paths) open(path);
+}
+
 void Application::choose_technique(const std::string& name_or_path) {
     act([&] {
         session_.choose_technique(name_or_path);
@@ -171,7 +177,7 @@ void Application::take_arrival(ModelLoader::Arrival arrival) {
 
 bool Application::poll() {
     if (frame_.width == 0) return true;  // a model is seen in a frame
-    bool is_due = false;
+    bool is_due = messages_.has_stale_note() || (settings_.shows_overlay && overlay_.is_due());
     if (auto arrival = loader_.take()) {
         take_arrival(std::move(*arrival));
         is_due = true;
@@ -190,7 +196,7 @@ bool Application::is_moving() const { return mouse_.is_dragging() || mouse_.is_c
 
 bool Application::wants_frames() const {
     return mouse_.is_coasting() || player_.is_playing() || can_draw_thumbnail() || loader_.is_reading() ||
-           has_passing_note_ || (is_slow() && is_settling());
+           (is_slow() && is_settling());
 }
 
 bool Application::is_slow() const { return full_milliseconds_ * settings_.least_frame_rate > 1000.0; }
