@@ -24,6 +24,9 @@ struct ViewCommand {
     double ui_scale = 0;
 };
 
+// A window that was made next to nothing would not be found next time.
+constexpr Window::Size least_remembered{200, 150};
+
 std::filesystem::path settings_path(const ViewCommand& options) {
     return options.settings_file.empty() ? viewer::Settings::default_path()
                                          : std::filesystem::path(options.settings_file);
@@ -37,7 +40,11 @@ viewer::Settings starting_settings(const ViewCommand& options) {
         settings.window_height = size.height;
     }
     if (!options.technique.empty()) settings.technique = options.technique;
-    if (options.ui_scale > 0) settings.ui_scale = options.ui_scale;
+    if (options.ui_scale != 0 && !(options.ui_scale >= Window::least_scale && options.ui_scale <= Window::most_scale)) {
+        fail("--ui-scale: expected a number from {} to {}, found {}", Window::least_scale, Window::most_scale,
+             options.ui_scale);
+    }
+    if (options.ui_scale != 0) settings.ui_scale = options.ui_scale;
     return settings;
 }
 
@@ -58,12 +65,14 @@ int run(const ViewCommand& options) {
     viewer::Application application(renderer, start);
     const bool has_model = std::any_of(options.files.begin(), options.files.end(), viewer::Application::is_model);
     if (!has_model) application.open(built_in_model_path(options.common));
-    for (const std::string& file : options.files) application.open(file);
+    application.open(options.files);
     window.run(application);
     viewer::Settings settings = application.settings();
     const Window::Size size = window.size();
-    settings.window_width = size.width;
-    settings.window_height = size.height;
+    if (size.width >= least_remembered.width && size.height >= least_remembered.height) {
+        settings.window_width = size.width;
+        settings.window_height = size.height;
+    }
     remember(settings, settings_path(options));
     return 0;
 }

@@ -55,6 +55,8 @@ std::string with_modifiers(const std::string& key, int modifiers) {
     std::string name;
     if ((modifiers & GLFW_MOD_CONTROL) != 0) name += "Ctrl+";
     if ((modifiers & GLFW_MOD_SHIFT) != 0) name += "Shift+";
+    if ((modifiers & GLFW_MOD_ALT) != 0) name += "Alt+";
+    if ((modifiers & GLFW_MOD_SUPER) != 0) name += "Super+";
     return name + key;
 }
 
@@ -89,7 +91,7 @@ Window::Window(int width, int height, double ui_scale) {
     if (ui_scale <= 0) glfwGetWindowContentScale(window_, &scale, &ignored);
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;  // what is remembered stands in the settings
-    viewer::set_appearance(scale);
+    viewer::set_appearance(std::clamp(scale, float(least_scale), float(most_scale)));
     listen();
     ImGui_ImplGlfw_InitForOpenGL(window_, true);  // calls on what listens already
     ImGui_ImplOpenGL3_Init("#version 330 core");
@@ -127,15 +129,14 @@ void Window::listen() {
         Window& self = of(window);
         const std::string name = name_of_key(key, scancode);
         if (self.application_ == nullptr || name.empty()) return;
-        if (ImGui::GetIO().WantTextInput && is_for_text(name, modifiers)) return;
         if (action == GLFW_RELEASE)
             self.application_->release(name);
-        else if (action == GLFW_PRESS)
+        else if (action == GLFW_PRESS && !(ImGui::GetIO().WantTextInput && is_for_text(name, modifiers)))
             self.application_->press(with_modifiers(name, modifiers));
     });
     glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
         Window& self = of(window);
-        for (int i = 0; self.application_ != nullptr && i < count; ++i) self.application_->open(paths[i]);
+        if (self.application_ != nullptr) self.application_->open(std::vector<std::string>(paths, paths + count));
     });
 }
 

@@ -12,6 +12,7 @@ namespace croquis::app {
 
 class Window {
 public:
+    static constexpr double least_scale = 0.5, most_scale = 4;  ///< letters beyond can be neither read nor stored
     /// Opens a window with a current context of OpenGL 3.3. `ui_scale` 0 takes what the display asks for. Throws Error
     /// where there is no display.
     Window(int width, int height, double ui_scale);

@@ -103,6 +103,12 @@ void Application::open(const std::string& path) {
     }
 }
 
+// A file manager has no order for what is dropped together.
+void Application::open(std::vector<std::string> paths) {
+    std::stable_partition(paths.begin(), paths.end(), is_model);
+    for (const std::string& path : paths) open(path);
+}
+
 void Application::choose_technique(const std::string& name_or_path) {
     act([&] {
         session_.choose_technique(name_or_path);
@@ -119,13 +125,13 @@ void Application::step_technique(int step) {
     choose_technique(techniques_[std::size_t((at + count) % count)]);
 }
 
-// All that techniques can be made of, for a file that is new may be what one missed; and the folder of a technique that
-// was opened by its path, for what it includes lies there.
+// All that techniques can be made of, for a file that is new may be what one missed; and the folders of techniques that
+// were opened by their path, for what they include lies there.
 void Application::watch_files() {
     std::vector<fs::path> places;
     for (const std::string& folder : renderer_.info().data_folders) places.emplace_back(folder);
-    if (ending_of(session_.technique_name()) == ".technique") {
-        const fs::path technique(session_.technique_name());
+    for (const fs::path technique : session_.chosen_techniques()) {
+        if (technique.extension() != ".technique") continue;
         places.push_back(technique);
         std::error_code error;
         const fs::path folder = technique.has_parent_path() ? technique.parent_path() : fs::path(".");
@@ -133,8 +139,7 @@ void Application::watch_files() {
             if (entry.path().extension() == ".technique") places.push_back(entry.path());
         }
     }
-    watch_.watch(std::move(places));
-    looked_at_files_ = Clock::now();
+    watch_.watch(places);
 }
 
 void Application::reload_files() {
@@ -157,9 +162,13 @@ void Application::take_arrival(ModelLoader::Arrival arrival) {
     }
     if (arrival.model) {
         messages_.mended(Messages::Source::model);
-        player_.take(arrival.model->animations());
-        session_.show(*arrival.model, arrival.path, arrival.texture);
-        look_at_whole(View());
+        if (arrival.path == session_.model_path() && !arrival.texture.empty()) {
+            session_.lay_texture(*arrival.model, arrival.texture);
+        } else {
+            player_.take(arrival.model->animations());
+            session_.show(*arrival.model, arrival.path, arrival.texture);
+            look_at_whole(View());
+        }
         settings_.remember_model(fs::absolute(arrival.path).string());
         thumbnails_.restart();
     }
@@ -168,7 +177,7 @@ void Application::take_arrival(ModelLoader::Arrival arrival) {
 
 bool Application::poll() {
     if (frame_.width == 0) return true;  // a model is seen in a frame
-    bool is_due = false;
+    bool is_due = messages_.has_stale_note() || (settings_.shows_overlay && overlay_.is_due());
     if (auto arrival = loader_.take()) {
         take_arrival(std::move(*arrival));
         is_due = true;
@@ -187,7 +196,7 @@ bool Application::is_moving() const { return mouse_.is_dragging() || mouse_.is_c
 
 bool Application::wants_frames() const {
     return mouse_.is_coasting() || player_.is_playing() || can_draw_thumbnail() || loader_.is_reading() ||
-           has_passing_note_ || (is_slow() && is_settling());
+           (is_slow() && is_settling());
 }
 
 bool Application::is_slow() const { return full_milliseconds_ * settings_.least_frame_rate > 1000.0; }

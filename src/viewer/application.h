@@ -30,6 +30,8 @@ public:
     /// Opens a file by its ending: a model, a technique, or an image as texture of the model that is shown. Anything
     /// else, and whatever is wrong with it, is told in the window.
     void open(const std::string& path);
+    /// The same of several, models before the images that are to lie on them.
+    void open(std::vector<std::string> paths);
 
     /// Whether `open` takes the file for a model.
     [[nodiscard]] static bool is_model(const std::string& path);
@@ -119,7 +121,6 @@ private:
     std::string searched_;  // part of the names in the list of techniques
     bool wants_search_ = false;
     bool shows_help_ = false;
-    bool has_passing_note_ = false;
     bool asks_where_to_save_ = false;
     std::string save_path_;
     std::chrono::steady_clock::time_point moved_at_;

@@ -31,6 +31,10 @@ void Application::add_view_commands() {
                    "This screen.",
                    [this] { shows_help_ = !shows_help_; },
                    [this] { return shows_help_; }});
+    commands_.add({"Window", "Back", {"Escape"}, "Closes this screen, and takes note of a mistake.", [this] {
+                       shows_help_ = false;
+                       messages_.mended(Messages::Source::action);
+                   }});
     commands_.add({"Window",
                    "Panels",
                    {"Tab"},
@@ -51,14 +55,10 @@ void Application::add_view_commands() {
                    [this] { return magnifier_.is_held(); },
                    [this] { magnifier_.release(); }});
     commands_.add({"Window",
-                   "Square lens",
+                   "Shape of the lens",
                    {"Shift+M"},
-                   "The magnifier square instead of round.",
-                   [this] {
-                       const bool is_square = magnifier_.shape() == Magnifier::Shape::square;
-                       magnifier_.set_shape(is_square ? Magnifier::Shape::round : Magnifier::Shape::square);
-                   },
-                   [this] { return magnifier_.shape() == Magnifier::Shape::square; }});
+                   "The magnifier round, square, or a sphere that shows more at its rim, in turn.",
+                   [this] { magnifier_.take_next_shape(); }});
     commands_.add({"Window", "Close", {"Ctrl+Q"}, "Ends the program.", [this] { wants_to_close_ = true; }});
 }
 
@@ -85,7 +85,7 @@ void Application::add_motion_commands() {
                    "Parallel projection in place of perspective.",
                    [this] { session_.arrangement().set_parallel(!session_.arrangement().is_parallel()); },
                    [this] { return std::as_const(session_).arrangement().is_parallel(); }});
-    commands_.add({"Looking", "Nearer", {"+", "="}, "Zooms to the middle.", [this] {
+    commands_.add({"Looking", "Nearer", {"+", "=", "Shift+="}, "Zooms to the middle.", [this] {
                        session_.arrangement().zoom(zoom_step, {0.5 * frame_.width, 0.5 * frame_.height}, frame_);
                    }});
     commands_.add({"Looking", "Farther", {"-"}, "Zooms from the middle.", [this] {

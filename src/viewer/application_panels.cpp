@@ -44,7 +44,7 @@ void Application::show_panels() {
     if (loader_.is_reading()) show_reading();
     if (asks_where_to_save_) show_save_dialogue();
     const float low = settings_.shows_panels ? left_ : 0, high = display.x - (settings_.shows_panels ? right_ : 0);
-    has_passing_note_ = messages_.show(ImGui::GetIO().DeltaTime, low, high);
+    messages_.show(low, high);
     if (shows_help_) show_help_screen(commands_, shows_help_);
     magnifier_.show(canvas_, pixels_a_point_);
 }
@@ -215,7 +215,8 @@ void Application::show_save_dialogue() {
         });
     }
     ImGui::SameLine();
-    if (ImGui::Button("cancel")) asks_where_to_save_ = false;
+    const bool is_escaped = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+    if (ImGui::Button("cancel") || is_escaped) asks_where_to_save_ = false;
     if (!asks_where_to_save_) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }

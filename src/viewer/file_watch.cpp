@@ -30,25 +30,29 @@ std::uint64_t signature_of_folder(const fs::path& folder) {
     return sum;
 }
 
-}  // namespace
-
-void FileWatch::watch(std::vector<fs::path> places) {
-    places_ = std::move(places);
-    last_ = signature();
+std::uint64_t signature_of_place(const fs::path& place) {
+    std::error_code error;
+    return fs::is_directory(place, error) ? signature_of_folder(place) : signature_of(place);
 }
 
-std::uint64_t FileWatch::signature() const {
-    std::uint64_t sum = 0;
-    for (const fs::path& place : places_) {
-        std::error_code error;
-        sum += fs::is_directory(place, error) ? signature_of_folder(place) : signature_of(place);
+}  // namespace
+
+void FileWatch::watch(const std::vector<fs::path>& places) {
+    std::map<fs::path, std::uint64_t> signatures;
+    for (const fs::path& place : places) {
+        const auto known = last_.find(place);
+        signatures[place] = known != last_.end() ? known->second : signature_of_place(place);
     }
-    return sum;
+    last_ = std::move(signatures);
 }
 
 bool FileWatch::has_changed() {
-    const std::uint64_t now = signature();
-    return std::exchange(last_, now) != now;
+    bool has_changed = false;
+    for (auto& [place, last] : last_) {
+        const std::uint64_t now = signature_of_place(place);
+        has_changed = std::exchange(last, now) != now || has_changed;
+    }
+    return has_changed;
 }
 
 }  // namespace croquis::viewer

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <vector>
 
 namespace croquis::viewer {
@@ -11,18 +12,15 @@ namespace croquis::viewer {
 /// change: it may be what a technique missed.
 class FileWatch {
 public:
-    /// Begins anew with these; none of them need exist.
-    void watch(std::vector<std::filesystem::path> places);
+    /// From now on these; none of them need exist. What changed in those that were watched before is not forgotten.
+    void watch(const std::vector<std::filesystem::path>& places);
 
-    /// True when anything changed since the last call, or since `watch`. Reads some hundred entries: not for every
-    /// frame.
+    /// True when anything changed since the last call, or since it is watched. Reads some hundred entries: not for
+    /// every frame.
     [[nodiscard]] bool has_changed();
 
 private:
-    [[nodiscard]] std::uint64_t signature() const;
-
-    std::vector<std::filesystem::path> places_;
-    std::uint64_t last_ = 0;
+    std::map<std::filesystem::path, std::uint64_t> last_;  // a signature of each place
 };
 
 }  // namespace croquis::viewer

@@ -1,9 +1,6 @@
-// A lens at the mouse that shows the pixels of the picture, and their values (seed B, chapter 5).
-//
-// The seed copies 128 x 128 pixels around the mouse onto a sphere by OpenGL's sphere map. For the sphere's normal n and
-// the viewing direction u = (0, 0, -1), the reflection r = u - 2 n (n·u) gives m = 2 √(r_x² + r_y² + (r_z + 1)²) = 4
-// n_z, so that s = r_x / m + 1/2 = n_x / 2 + 1/2: linear in the place on the disc. Its sphere is a round, even lens,
-// and so is this one; only the square lens is ours.
+// A lens at the mouse that shows the pixels of the picture, and their values (seed B, chapter 5). The seed's lens is
+// the sphere (sphere_lens.h); the round and the square one are ours, flat, so that every pixel has the same size in
+// them.
 #pragma once
 
 #include "viewer/canvas.h"
@@ -12,16 +9,17 @@ namespace croquis::viewer {
 
 class Magnifier {
 public:
-    enum class Shape { round, square };
+    enum class Shape { round, square, sphere };
 
     void hold() { is_held_ = true; }
     void release() { is_held_ = false; }
     [[nodiscard]] bool is_held() const { return is_held_; }
 
     [[nodiscard]] Shape shape() const { return shape_; }
-    void set_shape(Shape shape) { shape_ = shape; }
+    /// Round, square, sphere and round again.
+    void take_next_shape();
 
-    /// 1.5 times, as the seed has it, to 16 times.
+    /// 1.5 times, as the seed has it, to 16 times; of the sphere that in its middle.
     [[nodiscard]] double factor() const { return factor_; }
     void zoom(double notches);
 

@@ -72,15 +72,13 @@ std::string Messages::mistake(Source source) const {
 }
 
 void Messages::note(const std::string& text) {
-    constexpr float seconds = 4;
     note_ = text;
-    note_seconds_ = seconds;
+    note_ends_ = std::chrono::steady_clock::now() + std::chrono::seconds(4);
 }
 
-bool Messages::show(float seconds_since_last, float low, float high) {
-    note_seconds_ -= seconds_since_last;
-    const bool has_note = note_seconds_ > 0;
-    if (mistakes_.empty() && !has_note) return false;
+void Messages::show(float low, float high) {
+    shows_note_ = has_note();
+    if (mistakes_.empty() && !shows_note_) return;
     const float line = ImGui::GetFontSize();
     ImGui::SetNextWindowPos(ImVec2(low + line, ImGui::GetIO().DisplaySize.y - line), ImGuiCond_Always, ImVec2(0, 1));
     ImGui::SetNextWindowSize(ImVec2(std::max(high - low - 2 * line, line), 0));
@@ -97,9 +95,8 @@ bool Messages::show(float seconds_since_last, float low, float high) {
         ImGui::PopFont();
     }
     if (mistakes_.count(Source::action) > 0 && ImGui::SmallButton("close")) mended(Source::action);
-    if (has_note) ImGui::TextWrapped("%s", note_.c_str());
+    if (shows_note_) ImGui::TextWrapped("%s", note_.c_str());
     ImGui::End();
-    return has_note;
 }
 
 }  // namespace croquis::viewer

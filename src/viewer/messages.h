@@ -1,6 +1,7 @@
 // What the viewer has to tell: mistakes that stay until they are mended, and notes that pass.
 #pragma once
 
+#include <chrono>
 #include <map>
 #include <string>
 
@@ -19,9 +20,10 @@ public:
     /// Shown for some seconds: "wrote a.png".
     void note(const std::string& text);
 
-    /// Shows all of it above the lower edge of the window, between `low` and `high` across. True while a note is there
-    /// that will pass.
-    bool show(float seconds_since_last, float low, float high);
+    /// Shows all of it above the lower edge of the window, between `low` and `high` across.
+    void show(float low, float high);
+    /// True when a note is shown whose time is over: a frame is due.
+    [[nodiscard]] bool has_stale_note() const { return shows_note_ && !has_note(); }
 
 private:
     struct Mistake {
@@ -29,8 +31,11 @@ private:
         std::string excerpt;
     };
     std::map<Source, Mistake> mistakes_;
+    [[nodiscard]] bool has_note() const { return std::chrono::steady_clock::now() < note_ends_; }
+
     std::string note_;
-    float note_seconds_ = 0;
+    std::chrono::steady_clock::time_point note_ends_;
+    bool shows_note_ = false;
 };
 
 /// The line of the file that a message "FILE:LINE:COLUMN: …" is about, and a caret below the column; empty for a

@@ -14,11 +14,15 @@ void Overlay::add_frame(double milliseconds) {
     ++drawn_;
 }
 
+bool Overlay::is_due() const {
+    constexpr auto between = std::chrono::milliseconds(500);
+    return measured_ != drawn_ && std::chrono::steady_clock::now() >= measured_at_ + between;
+}
+
 void Overlay::measure_passes(Session& session, FrameSize frame) {
-    constexpr double seconds_between = 0.5;
-    if (measured_ == drawn_ || ImGui::GetTime() < measured_at_ + seconds_between) return;
+    if (!is_due()) return;
     measured_ = drawn_;
-    measured_at_ = ImGui::GetTime();
+    measured_at_ = std::chrono::steady_clock::now();
     try {
         passes_ = session.time_passes(frame);
     } catch (const Error&) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <vector>
 
@@ -15,8 +16,9 @@ public:
     /// A drawing was made and took so long.
     void add_frame(double milliseconds);
 
-    /// Shows the box, its upper right corner at (x, y). Pass times are measured anew at most twice a second, and only
-    /// after new drawings.
+    /// True when pass times are those of an older drawing and may be measured anew: at most twice a second.
+    [[nodiscard]] bool is_due() const;
+    /// Shows the box, its upper right corner at (x, y). Measures first where that is due.
     void show(float x, float y, Session& session, const Renderer& renderer, FrameSize frame);
 
 private:
@@ -26,7 +28,7 @@ private:
     std::array<float, frames_kept> milliseconds_{};
     std::size_t next_ = 0;
     long long drawn_ = 0, measured_ = -1;
-    double measured_at_ = -1;
+    std::chrono::steady_clock::time_point measured_at_;
     std::vector<PassTime> passes_;
 };
 

@@ -1,6 +1,5 @@
 #include "viewer/session.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "base/error.h"
@@ -15,6 +14,17 @@ namespace {
 constexpr const char* wireframe_pass =
     "\npass wireframe wireframe_over_all { keep_color true ; keep_depth true ; } ;\n";
 
+// A value whose variable has gone, or cannot be that any more, is no mistake: files change.
+void restore(Technique& technique, const std::map<std::string, std::string>& values) {
+    for (const auto& [variable, value] : values) {
+        try {
+            technique.set(variable, value);
+        } catch (const Error& error) {
+            note(fmt::format("not kept: {}", error.what()));
+        }
+    }
+}
+
 }  // namespace
 
 void Session::show(Model model, const std::string& path, const std::string& texture) {
@@ -27,20 +37,58 @@ void Session::show(Model model, const std::string& path, const std::string& text
     touch();
 }
 
-Session::OpenTechnique Session::open(const std::string& name_or_path) {
-    Technique technique = renderer_.open_technique(name_or_path);
-    if (has_wireframe_) {
-        technique = renderer_.open_technique_text(technique.name(), technique.text() + wireframe_pass);
-    }
-    std::map<std::string, std::string> original;
-    for (const PassVariable& variable : technique.variables()) original[variable.full_name()] = variable.value;
-    return {std::move(technique), std::move(original)};
+void Session::lay_texture(Model model, const std::string& texture) {
+    model_ = std::move(model);
+    small_copy_.reset();
+    model_texture_ = texture;
+    touch();
 }
 
+Session::Values Session::OpenTechnique::changed() const {
+    Values changed;
+    for (const PassVariable& variable : technique.variables()) {
+        if (variable.value != original.at(variable.full_name())) changed[variable.full_name()] = variable.value;
+    }
+    return changed;
+}
+
+Session::OpenTechnique Session::open(const std::string& name_or_path) {
+    OpenTechnique opened{renderer_.open_technique(name_or_path), {}, {}};
+    for (const PassVariable& variable : opened.technique.variables()) {
+        opened.original[variable.full_name()] = variable.value;
+    }
+    if (const auto left = left_values_.find(name_or_path); left != left_values_.end()) {
+        restore(opened.technique, left->second);
+    }
+    match_wireframe(opened, has_wireframe_);
+    return opened;
+}
+
+// Its values are those of the technique: `set` keeps them the same.
+void Session::match_wireframe(OpenTechnique& opened, bool has_wireframe) {
+    if (!has_wireframe) opened.with_edges.reset();
+    if (has_wireframe == opened.with_edges.has_value()) return;
+    const Technique& technique = opened.technique;
+    opened.with_edges = renderer_.open_technique_text(technique.name(), technique.text() + wireframe_pass);
+}
+
+Technique& Session::drawn_technique() { return current().with_edges ? *current().with_edges : current().technique; }
+
 void Session::choose_technique(const std::string& name_or_path) {
-    if (open_.find(name_or_path) == open_.end()) open_.emplace(name_or_path, open(name_or_path));
+    const auto found = open_.find(name_or_path);
+    if (found == open_.end())
+        open_.emplace(name_or_path, open(name_or_path));
+    else
+        match_wireframe(found->second, has_wireframe_);
+    left_values_.try_emplace(name_or_path);
     technique_name_ = name_or_path;
     touch();
+}
+
+std::vector<std::string> Session::chosen_techniques() const {
+    std::vector<std::string> names;
+    for (const auto& [name, values] : left_values_) names.push_back(name);
+    return names;
 }
 
 std::vector<PassVariable> Session::variables() const {
@@ -49,6 +97,7 @@ std::vector<PassVariable> Session::variables() const {
 
 void Session::set(const std::string& variable, const std::string& value) {
     current().technique.set(variable, value);
+    if (current().with_edges) current().with_edges->set(variable, value);
     touch();
 }
 
@@ -58,16 +107,8 @@ bool Session::is_changed(const PassVariable& variable) const {
     return variable.value != original_value(variable.full_name());
 }
 
-std::map<std::string, std::string> Session::changed_values() const {
-    std::map<std::string, std::string> changed;
-    for (const PassVariable& variable : variables()) {
-        if (is_changed(variable)) changed[variable.full_name()] = variable.value;
-    }
-    return changed;
-}
-
 void Session::reset_all() {
-    for (const auto& [variable, value] : changed_values()) reset(variable);
+    for (const auto& [variable, value] : current().changed()) reset(variable);
 }
 
 void Session::save_technique(const std::string& path) const {
@@ -75,35 +116,22 @@ void Session::save_technique(const std::string& path) const {
     write_file_whole(path, current().technique.text());
 }
 
-void Session::reopen() {
-    const std::map<std::string, std::string> changed = changed_values();
-    OpenTechnique anew = open(technique_name_);
-    for (const auto& [variable, value] : changed) {
-        try {
-            anew.technique.set(variable, value);
-        } catch (const Error& error) {
-            note(fmt::format("not kept: {}", error.what()));
-        }
-    }
-    open_.clear();
-    open_.emplace(technique_name_, std::move(anew));
-    touch();
-}
-
+// The techniques that are not shown are opened when they are chosen again: their files may be wrong, or slow to
+// compile.
 void Session::reload() {
     renderer_.reload();
-    if (has_technique()) reopen();
+    for (const auto& [name, opened] : open_) left_values_[name] = opened.changed();
+    std::erase_if(open_, [&](const auto& opened) { return opened.first != technique_name_; });
+    if (!has_technique()) return;
+    current() = open(technique_name_);
+    touch();
 }
 
 void Session::set_wireframe(bool on) {
     if (on == has_wireframe_ || !has_technique()) return;
+    match_wireframe(current(), on);
     has_wireframe_ = on;
-    try {
-        reopen();
-    } catch (const Error&) {
-        has_wireframe_ = !on;
-        throw;
-    }
+    touch();
 }
 
 void Session::set_samples(int samples) {
@@ -147,24 +175,24 @@ void Session::draw(Canvas& canvas, FrameSize size, Detail detail) {
     const bool is_reduced = detail == Detail::reduced;
     if (is_reduced) options.samples = 1;
     const Model& model = is_reduced ? *small_model() : *model_;
-    renderer_.draw_into(canvas.begin(size), model, current().technique, options);
+    renderer_.draw_into(canvas.begin(size), model, drawn_technique(), options);
     canvas.keep();
 }
 
 std::vector<PassTime> Session::time_passes(FrameSize size) {
     if (!model_ || !has_technique()) return {};
-    return renderer_.time_passes(*model_, current().technique, options(size));
+    return renderer_.time_passes(*model_, drawn_technique(), options(size));
 }
 
 void Session::save_picture(const std::string& path, FrameSize frame, int scale, bool has_background) {
     if (!model_ || !has_technique()) fail("expected a model and a technique to draw, found none");
     DrawOptions options = this->options({frame.width * scale, frame.height * scale});
     if (!has_background) options.background = Background{.color = {1, 1, 1}, .transparent = true, .texture = {}};
-    renderer_.draw(*model_, current().technique, options).save(path);
+    renderer_.draw(*model_, drawn_technique(), options).save(path);
 }
 
 std::string Session::command_line(FrameSize frame) const {
-    return render_command(model_path_, model_texture_, technique_name_, changed_values(), options(frame));
+    return render_command(model_path_, model_texture_, technique_name_, current().changed(), options(frame));
 }
 
 }  // namespace croquis::viewer

@@ -23,6 +23,8 @@ public:
 
     /// Shows another model, at rest. Where it is seen from is for the arrangement to say.
     void show(Model model, const std::string& path, const std::string& texture);
+    /// The model that is shown, with another texture: it stays where it is, and at its moment.
+    void lay_texture(Model model, const std::string& texture);
     /// A copy of fewer triangles of the model that is shown, for Detail::reduced and for small pictures.
     void take_small_copy(Model copy) { small_copy_ = std::move(copy); }
     [[nodiscard]] const Model* model() const { return model_ ? &*model_ : nullptr; }
@@ -34,6 +36,8 @@ public:
 
     /// Switches to a technique by name or path; its values are as they were left. Throws Error, changing nothing.
     void choose_technique(const std::string& name_or_path);
+    /// All that were chosen so far.
+    [[nodiscard]] std::vector<std::string> chosen_techniques() const;
     /// As it was asked for: a name or a path.
     [[nodiscard]] const std::string& technique_name() const { return technique_name_; }
     [[nodiscard]] bool has_technique() const { return !technique_name_.empty(); }
@@ -51,11 +55,12 @@ public:
 
     /// Writes the technique with its values of now as a `.technique` file. Throws Error.
     void save_technique(const std::string& path) const;
-    /// Makes the techniques anew from the files as they are now; values that were changed stay changed where they still
-    /// can. Throws Error where a file is wrong: then the old technique goes on.
+    /// Makes the techniques anew from the files as they are now; values that were changed, in any of them, stay changed
+    /// where they still can. Throws Error where a file of the one that is shown is wrong: then the old one goes on.
     void reload();
 
-    /// Every edge over whatever the technique draws. Throws Error, changing nothing.
+    /// Every edge over whatever a technique draws. It belongs to the drawing and to no technique: variables, what is
+    /// saved and the command know nothing of it. Throws Error, changing nothing.
     void set_wireframe(bool on);
     [[nodiscard]] bool has_wireframe() const { return has_wireframe_; }
 
@@ -91,21 +96,25 @@ public:
     [[nodiscard]] std::string command_line(FrameSize frame) const;
 
 private:
+    using Values = std::map<std::string, std::string>;  // by full name
     struct OpenTechnique {
         Technique technique;
-        std::map<std::string, std::string> original;  // values by full name
+        Values original;
+        std::optional<Technique> with_edges;  // the same and every edge over it, while that is what is drawn
+        [[nodiscard]] Values changed() const;
     };
     [[nodiscard]] OpenTechnique open(const std::string& name_or_path);
+    void match_wireframe(OpenTechnique& opened, bool has_wireframe);
     [[nodiscard]] OpenTechnique& current() { return open_.at(technique_name_); }
     [[nodiscard]] const OpenTechnique& current() const { return open_.at(technique_name_); }
-    [[nodiscard]] std::map<std::string, std::string> changed_values() const;
-    void reopen();
+    [[nodiscard]] Technique& drawn_technique();
     void touch() { ++revision_; }
 
     Renderer& renderer_;
     std::optional<Model> model_, small_copy_;
     std::string model_path_, model_texture_;
-    std::map<std::string, OpenTechnique> open_;  // all that were chosen: switching back is at once
+    std::map<std::string, OpenTechnique> open_;  // all that were chosen since a reload: switching back is at once
+    std::map<std::string, Values> left_values_;  // of all that were ever chosen: what was changed before that reload
     std::string technique_name_;
     bool has_wireframe_ = false;
     Arrangement arrangement_;

@@ -257,6 +257,19 @@ TEST_F(ApplicationTest, ChangedFilesShowAndMistakesKeepTheLastPicture) {
     EXPECT_EQ(mistake(Messages::Source::files), "");
 }
 
+TEST_F(ApplicationTest, ATechniqueOpenedByPathIsWatchedWhileAnotherIsShown) {
+    open_cube();
+    const std::string file =
+        folder_.write("own/mine.technique", "pass paint red { texture \"toon:two_tone\" ; } ;").string();
+    application_->open(file);
+    session().choose_technique("plain");
+    folder_.write("own/mine.technique", "pass render_toon surfaces { clear_color 0 0 1 ; } ;");
+    wait_for_files();
+    session().choose_technique(file);
+    frames();
+    EXPECT_EQ(application_->canvas().pixel(5, 5), glm::u8vec4(0, 0, 255, 255));
+}
+
 TEST_F(ApplicationTest, ReloadingKeepsChangedValues) {
     open_cube();
     session().set("surfaces.clear_color", "0 0 1");
@@ -358,6 +371,11 @@ TEST_F(ApplicationTest, TheCopiedCommandAndCameraComeBack) {
     EXPECT_LT(shown().difference_from(before).mean, 0.02);
     session().set("surfaces.clear_color", "0 0 1");
     application_->press("Ctrl+C");
+    for (int i = 0; application_->wants_frames() && i < 100; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        frames();
+    }
+    EXPECT_FALSE(application_->wants_frames()) << "the note that it was copied is still shown, and costs nothing";
     EXPECT_NE(clipboard.find("croquis render "), std::string::npos);
     EXPECT_NE(clipboard.find(" --set 'surfaces.clear_color=0 0 1' "), std::string::npos) << clipboard;
 }
@@ -425,8 +443,14 @@ TEST_F(ApplicationTest, AnImageBecomesTheTextureOfTheModel) {
     ASSERT_NE(session().model(), nullptr);
     EXPECT_EQ(session().model_path(), model);
     EXPECT_EQ(session().model_texture(), data + "/textures/toon/two_tone.png");
+    drag({300, 210}, {380, 150});
+    const View view = arrangement().view();
     open_model(data + "/textures/toon/flat.png");
     EXPECT_EQ(session().model_texture(), data + "/textures/toon/flat.png");
+    EXPECT_EQ(arrangement().view().eye, view.eye) << "it is looked at as before";
+    open_model(model);
+    EXPECT_NE(arrangement().view().eye, view.eye) << "a model is seen anew";
+    EXPECT_EQ(session().model_texture(), "");
 }
 
 TEST_F(ApplicationTest, AnAnimationPlays) {

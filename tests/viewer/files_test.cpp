@@ -128,6 +128,20 @@ TEST(FileWatchTest, NoticesChangesNewFilesAndTheirEnd) {
     EXPECT_FALSE(watch.has_changed());
 }
 
+TEST(FileWatchTest, AnotherPlaceHidesNoChange) {
+    const TemporaryFolder folder;
+    const auto file = folder.write("a.technique", "one");
+    FileWatch watch;
+    watch.watch({file});
+    folder.write("a.technique", "three");
+    watch.watch({file, folder.write("b.technique", "")});
+    EXPECT_TRUE(watch.has_changed());
+    EXPECT_FALSE(watch.has_changed());
+    watch.watch({});
+    folder.write("a.technique", "another");
+    EXPECT_FALSE(watch.has_changed());
+}
+
 TEST(MessagesTest, AnExcerptPointsAtTheMistake) {
     const TemporaryFolder folder;
     const std::string file = folder.write("a:b.technique", "help \"x\" ;\n  pass nothing ;\n").string();
