@@ -111,10 +111,10 @@ LimitSurface limit_surface(const Far::TopologyRefiner& refiner, std::vector<Mixe
     const Far::TopologyLevel& finest = refiner.GetLevel(refiner.GetMaxLevel());
     for (Index e = 0; e < finest.GetNumEdges(); ++e) {
         if (!finest.IsEdgeInfSharp(e) || (finest.IsEdgeBoundary(e) && !finest.IsEdgeNonManifold(e))) continue;
-        for (const Index v : finest.GetEdgeVertices(e)) surface.normals[v] = glm::vec3(0.0f);
+        for (const Index v : finest.GetEdgeVertices(e)) surface.normals[std::size_t(v)] = glm::vec3(0.0f);
     }
     for (Index v = 0; v < finest.GetNumVertices(); ++v) {
-        if (finest.IsVertexNonManifold(v)) surface.normals[v] = glm::vec3(0.0f);
+        if (finest.IsVertexNonManifold(v)) surface.normals[std::size_t(v)] = glm::vec3(0.0f);
     }
     return surface;
 }
@@ -124,7 +124,8 @@ std::vector<std::uint32_t> carry_meshes(const Far::TopologyRefiner& refiner, std
     for (int level = 1; level <= refiner.GetMaxLevel(); ++level) {
         const Far::TopologyLevel& finer = refiner.GetLevel(level);
         std::vector<std::uint32_t> next(static_cast<std::size_t>(finer.GetNumFaces()));
-        for (Index f = 0; f < finer.GetNumFaces(); ++f) next[f] = mesh_of[finer.GetFaceParentFace(f)];
+        for (Index f = 0; f < finer.GetNumFaces(); ++f)
+            next[std::size_t(f)] = mesh_of[std::size_t(finer.GetFaceParentFace(f))];
         mesh_of = std::move(next);
     }
     return mesh_of;
@@ -147,7 +148,7 @@ std::vector<TaggedEdge> carry_tagged(const Far::TopologyRefiner& refiner, const 
     std::vector<TaggedEdge> tagged;
     for (const Index e : edges) {
         const auto ends = refiner.GetLevel(refiner.GetMaxLevel()).GetEdgeVertices(e);
-        tagged.push_back({points[ends[0]], points[ends[1]]});
+        tagged.push_back({points[std::size_t(ends[0])], points[std::size_t(ends[1])]});
     }
     return tagged;
 }
@@ -191,7 +192,8 @@ private:
         const auto corners = finest_.GetFaceVertices(face);
         std::array<std::uint32_t, 4> v{};
         for (int k = 0; k < corners.size(); ++k) {
-            v[k] = vertex(mesh, corners[k], looks_.empty() ? corners[k] : finest_.GetFaceFVarValues(face)[k]);
+            const Index look = looks_.empty() ? corners[k] : finest_.GetFaceFVarValues(face)[k];
+            v[std::size_t(k)] = vertex(mesh, std::size_t(corners[k]), std::size_t(look));
         }
         if (corners.size() == 3) {
             mesh.triangles.insert(mesh.triangles.end(), {v[0], v[1], v[2]});
@@ -208,7 +210,7 @@ private:
     }
 
     /// The mesh's vertex at a point; `id` tells vertices of different looks apart.
-    std::uint32_t vertex(Mesh& mesh, Index point, Index id) {
+    std::uint32_t vertex(Mesh& mesh, std::size_t point, std::size_t id) {
         std::uint32_t& number = number_of_[id];
         if (number != none) return number;
         number = static_cast<std::uint32_t>(mesh.positions.size());

@@ -37,7 +37,7 @@ TEST(TexcoordScale, IsZeroWhereStrokesWouldBeDrawnOut) {
         two_scales.positions.push_back(two_scales.positions[i]);
         two_scales.texcoords.push_back(10.0f * two_scales.texcoords[i]);
     }
-    for (const std::uint32_t v : {4, 5, 6, 4, 6, 7}) two_scales.triangles.push_back(v);
+    for (const std::uint32_t v : {4u, 5u, 6u, 4u, 6u, 7u}) two_scales.triangles.push_back(v);
     EXPECT_EQ(texcoord_scale(two_scales), 0);
 }
 
