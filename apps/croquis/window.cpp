@@ -125,7 +125,7 @@ void Window::listen() {
         if (name.empty()) return;
         if (action == GLFW_RELEASE)
             self.application_->release(name);
-        else if (action == GLFW_PRESS && !ImGui::GetIO().WantTextInput)
+        else if (action == GLFW_PRESS && (key == GLFW_KEY_ESCAPE || !ImGui::GetIO().WantTextInput))
             self.application_->press(with_modifiers(name, modifiers));
     });
     glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {

@@ -151,7 +151,8 @@ class WindowTest(ProgramTest):
         self.assertNotEqual(float(width), 1)
         self.assert_same(self.by_command(command), tuned)
         window.key("ctrl+s")
-        window.key("Return")
+        window.hold("Return")
+        window.let_go("Return")
         saved = window.wait_for_file("my_mine.technique")
         self.assertRegex(saved.read_text(), rf"\bwidth {re.escape(width)} ;")
         command = command.replace(f" --set lines.width={width}", "").replace(str(technique), str(saved))
@@ -175,6 +176,7 @@ class WindowTest(ProgramTest):
 
     def test_files_are_dropped(self):
         """What is wrong is told, and ends nothing."""
+        self.write("viewer.toml", "shows_panels = false\n")
         window = self.open_window(MODELS / "cube.obj", "-t", "phong")
         window.drop(self.write("board.obj", BOARD))
         window.wait_until(lambda: window.picture().name.startswith("board"), "the model that was dropped is shown")
@@ -199,6 +201,7 @@ class WindowTest(ProgramTest):
         self.assert_closes(window)
 
     def test_sizes_and_focus(self):
+        self.write("viewer.toml", "shows_panels = false\n")
         window = self.open_window(MODELS / "teapot.obj", "-t", "cartoon", screen=(5000, 600))
         shown, picture = window.shown(), self.picture(window)
         window.resize(1, 1)
