@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <utility>
 
@@ -36,9 +37,9 @@ bool next_button(const char* label) {
 void Application::show_panels() {
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float line = ImGui::GetFontSize();
-    // A narrow window keeps its middle free.
-    left_ = std::min(17 * line, 0.3f * display.x);
-    right_ = std::min(23 * line, 0.38f * display.x);
+    // A narrow window keeps its middle free. Whole pixels, for what neither panel nor picture covers is drawn by nobody.
+    left_ = std::floor(std::min(17 * line, 0.3f * display.x));
+    right_ = std::floor(std::min(23 * line, 0.38f * display.x));
     if (settings_.shows_panels) {
         show_technique_panel(left_);
         show_tuning_panel(right_);

@@ -15,8 +15,8 @@ from program import DATA, MODELS, PROGRAM, ProgramTest, main
 sys.path.insert(0, str(DATA.parent / "tools"))
 from virtual_window import VirtualWindow  # noqa: E402
 
-SIZE = (900, 560)
-MIDDLE = (405, 280)  # of the drawing, between the panels
+SIZE = (720, 450)
+MIDDLE = (330, 225)  # of the drawing, between the panels
 KNOB = (61, 133, 224)  # of a slider
 MISTAKE = (255, 153, 128)  # the colour of what is told
 
@@ -83,7 +83,7 @@ class WindowTest(ProgramTest):
         """Drag, keys, another technique, pictures, and what is remembered at the end."""
         window = self.open_window(MODELS / "teapot.obj", "-t", "cartoon")
         first = self.picture(window)
-        window.drag((450, 280), (520, 220))
+        window.drag(MIDDLE, (390, 180))
         turned = self.picture(window)
         window.wheel(3)
         nearer = self.picture(window)
@@ -202,7 +202,7 @@ class WindowTest(ProgramTest):
 
     def test_sizes_and_focus(self):
         self.write("viewer.toml", "shows_panels = false\n")
-        window = self.open_window(MODELS / "teapot.obj", "-t", "cartoon", screen=(5000, 600))
+        window = self.open_window(MODELS / "teapot.obj", "-t", "cartoon", screen=(5000, 500))
         shown, picture = window.shown(), self.picture(window)
         window.resize(1, 1)
         window.resize(*SIZE)
