@@ -24,7 +24,7 @@ class VirtualWindow:
     def __enter__(self):
         reading, writing = os.pipe()  # Xvfb takes a free number and tells it here
         self.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(writing), "-screen", "0", f"{self.screen[0]}x{self.screen[1]}x24"],
+            ["Xvfb", "-r", "-displayfd", str(writing), "-screen", "0", f"{self.screen[0]}x{self.screen[1]}x24"],
             pass_fds=[writing], stderr=subprocess.DEVNULL)
         os.close(writing)
         with os.fdopen(reading) as told:
@@ -182,6 +182,7 @@ class VirtualWindow:
         from Xlib import X, display
         server = display.Display(self.display)
         server.set_input_focus(int(self.window) if on else X.NONE, X.RevertToNone, X.CurrentTime)
+        server.sync()
         server.close()
         self._rests(MOST_PAUSE)
 
