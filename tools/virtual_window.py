@@ -7,8 +7,9 @@ import subprocess
 import time
 
 LOOKS = 5  # that find everybody asleep, one after another
+IDLE_LOOKS = 30
 BETWEEN_LOOKS = 0.02
-MOST_PAUSE = 3  # after a key or a move of the mouse, where something always moves
+MOST_PAUSE = 6  # after a key or a move of the mouse, where something always moves
 
 
 class VirtualWindow:
@@ -75,12 +76,17 @@ class VirtualWindow:
         return same == LOOKS
 
     def wait_until_idle(self, seconds=60):
-        """Returns once the viewer has read and drawn what there is: it used next to nothing for longer than it sleeps."""
+        """Returns once the viewer has read and drawn what there is.
+
+        It looks for files and models between sleeps of 0.4 s, so that to be found asleep for a moment says nothing.
+        """
         deadline = time.monotonic() + seconds
         while time.monotonic() < deadline:
-            before = self.processor_seconds()
-            time.sleep(0.5)
-            if self.processor_seconds() - before <= 0.02 and self._rests(MOST_PAUSE):
+            asleep = 0
+            for _ in range(IDLE_LOOKS):
+                time.sleep(BETWEEN_LOOKS)
+                asleep += self._sleepers() is not None
+            if asleep >= 0.8 * IDLE_LOOKS and self._rests(MOST_PAUSE):
                 return
         raise TimeoutError(f"the viewer is still busy after {seconds} s")
 

@@ -140,11 +140,17 @@ Window::Size Window::size() const {
     return size;
 }
 
+// Minimised, or made as small as nothing, it has no frame to draw, and what wants one waits.
+bool Window::is_seen() const {
+    Size pixels;
+    glfwGetFramebufferSize(window_, &pixels.width, &pixels.height);
+    return glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_FALSE && pixels.width > 0 && pixels.height > 0 &&
+           size().width > 0;
+}
+
 void Window::draw_frame(viewer::Application& application) {
     Size pixels;
     glfwGetFramebufferSize(window_, &pixels.width, &pixels.height);
-    const Size points = size();
-    if (pixels.width < 1 || pixels.height < 1 || points.width < 1) return;  // minimised, or made as small as nothing
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();
@@ -159,14 +165,16 @@ void Window::draw_frame(viewer::Application& application) {
 void Window::run(viewer::Application& application) {
     application_ = &application;
     frames_due_ = frames_after_event;
+    bool has_frames = true;
     while (glfwWindowShouldClose(window_) == GLFW_FALSE && !application.wants_to_close()) {
-        if (frames_due_ > 0)
+        if (frames_due_ > 0 && has_frames)
             glfwPollEvents();
         else
             glfwWaitEventsTimeout(seconds_asleep);
+        has_frames = is_seen();
         if (application.poll()) frames_due_ = frames_after_event;
         if (application.wants_frames()) frames_due_ = std::max(frames_due_, 1);
-        if (frames_due_ == 0) continue;
+        if (frames_due_ == 0 || !has_frames) continue;
         --frames_due_;
         draw_frame(application);
     }

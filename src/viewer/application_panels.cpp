@@ -37,7 +37,7 @@ bool next_button(const char* label) {
 void Application::show_panels() {
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float line = ImGui::GetFontSize();
-    // A narrow window keeps its middle free. Whole pixels, for what neither panel nor picture covers is drawn by nobody.
+    // A narrow window keeps its middle free. In whole pixels: nobody draws what neither panel nor picture covers.
     left_ = std::floor(std::min(17 * line, 0.3f * display.x));
     right_ = std::floor(std::min(23 * line, 0.38f * display.x));
     if (settings_.shows_panels) {
