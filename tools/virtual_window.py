@@ -7,7 +7,7 @@ import subprocess
 import time
 
 LOOKS = 5  # that find everybody asleep, one after another
-IDLE_LOOKS = 30
+IDLE_LOOKS = 50
 BETWEEN_LOOKS = 0.02
 MOST_PAUSE = 6  # after a key or a move of the mouse, where something always moves
 
@@ -82,11 +82,12 @@ class VirtualWindow:
         """
         deadline = time.monotonic() + seconds
         while time.monotonic() < deadline:
-            asleep = 0
+            asleep, shown, used = 0, self.shown(), self.processor_seconds()
             for _ in range(IDLE_LOOKS):
                 time.sleep(BETWEEN_LOOKS)
                 asleep += self._sleepers() is not None
-            if asleep >= 0.8 * IDLE_LOOKS and self._rests(MOST_PAUSE):
+            is_still = asleep >= 0.8 * IDLE_LOOKS and self.processor_seconds() - used <= 0.02
+            if is_still and self._rests(MOST_PAUSE) and self.shown() == shown:
                 return
         raise TimeoutError(f"the viewer is still busy after {seconds} s")
 
