@@ -7,8 +7,9 @@ import subprocess
 import time
 
 LOOKS = 5  # that find everybody asleep, one after another
+IDLE_LOOKS = 50
 BETWEEN_LOOKS = 0.02
-MOST_PAUSE = 3  # after a key or a move of the mouse, where something always moves
+MOST_PAUSE = 6  # after a key or a move of the mouse, where something always moves
 
 
 class VirtualWindow:
@@ -24,7 +25,7 @@ class VirtualWindow:
     def __enter__(self):
         reading, writing = os.pipe()  # Xvfb takes a free number and tells it here
         self.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(writing), "-screen", "0", f"{self.screen[0]}x{self.screen[1]}x24"],
+            ["Xvfb", "-r", "-displayfd", str(writing), "-screen", "0", f"{self.screen[0]}x{self.screen[1]}x24"],
             pass_fds=[writing], stderr=subprocess.DEVNULL)
         os.close(writing)
         with os.fdopen(reading) as told:
@@ -75,12 +76,18 @@ class VirtualWindow:
         return same == LOOKS
 
     def wait_until_idle(self, seconds=60):
-        """Returns once the viewer has read and drawn what there is: it used next to nothing for longer than it sleeps."""
+        """Returns once the viewer has read and drawn what there is.
+
+        It looks for files and models between sleeps of 0.4 s, so that to be found asleep for a moment says nothing.
+        """
         deadline = time.monotonic() + seconds
         while time.monotonic() < deadline:
-            before = self.processor_seconds()
-            time.sleep(0.5)
-            if self.processor_seconds() - before <= 0.02 and self._rests(MOST_PAUSE):
+            asleep, shown, used = 0, self.shown(), self.processor_seconds()
+            for _ in range(IDLE_LOOKS):
+                time.sleep(BETWEEN_LOOKS)
+                asleep += self._sleepers() is not None
+            is_still = asleep >= 0.8 * IDLE_LOOKS and self.processor_seconds() - used <= 0.02
+            if is_still and self._rests(MOST_PAUSE) and self.shown() == shown:
                 return
         raise TimeoutError(f"the viewer is still busy after {seconds} s")
 
@@ -182,6 +189,7 @@ class VirtualWindow:
         from Xlib import X, display
         server = display.Display(self.display)
         server.set_input_focus(int(self.window) if on else X.NONE, X.RevertToNone, X.CurrentTime)
+        server.sync()
         server.close()
         self._rests(MOST_PAUSE)
 

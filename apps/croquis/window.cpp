@@ -60,9 +60,10 @@ std::string with_modifiers(const std::string& key, int modifiers) {
     return name + key;
 }
 
-// Whether a text that is being typed takes the key: all but Ctrl with what is no command of a text box.
+// Whether a text that is being typed takes the key: all but Escape, and Ctrl with what is no command of a text box.
 bool is_for_text(const std::string& key, int modifiers) {
     constexpr std::string_view editing = "ACVXYZ";
+    if (key == "Escape") return false;
     return (modifiers & GLFW_MOD_CONTROL) == 0 || key.size() != 1 || editing.find(key) != std::string_view::npos;
 }
 
@@ -146,11 +147,17 @@ Window::Size Window::size() const {
     return size;
 }
 
+// Minimised, or made as small as nothing, it has no frame to draw, and what wants one waits.
+bool Window::is_seen() const {
+    Size pixels;
+    glfwGetFramebufferSize(window_, &pixels.width, &pixels.height);
+    return glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_FALSE && pixels.width > 0 && pixels.height > 0 &&
+           size().width > 0;
+}
+
 void Window::draw_frame(viewer::Application& application) {
     Size pixels;
     glfwGetFramebufferSize(window_, &pixels.width, &pixels.height);
-    const Size points = size();
-    if (pixels.width < 1 || pixels.height < 1 || points.width < 1) return;  // minimised, or made as small as nothing
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();
@@ -168,14 +175,16 @@ void Window::draw_frame(viewer::Application& application) {
 void Window::run(viewer::Application& application) {
     application_ = &application;
     frames_due_ = frames_after_event;
+    bool has_frames = true;
     while (glfwWindowShouldClose(window_) == GLFW_FALSE && !application.wants_to_close()) {
-        if (frames_due_ > 0)
+        if (frames_due_ > 0 && has_frames)
             glfwPollEvents();
         else
             glfwWaitEventsTimeout(seconds_asleep);
+        has_frames = is_seen();
         if (application.poll()) frames_due_ = frames_after_event;
         if (application.wants_frames()) frames_due_ = std::max(frames_due_, 1);
-        if (frames_due_ == 0) continue;
+        if (frames_due_ == 0 || !has_frames) continue;
         --frames_due_;
         draw_frame(application);
     }

@@ -31,6 +31,7 @@ public:
 
 private:
     void listen();
+    [[nodiscard]] bool is_seen() const;
     void draw_frame(viewer::Application& application);
 
     GLFWwindow* window_ = nullptr;

@@ -196,7 +196,7 @@ bool Application::is_moving() const { return mouse_.is_dragging() || mouse_.is_c
 
 bool Application::wants_frames() const {
     return mouse_.is_coasting() || player_.is_playing() || can_draw_thumbnail() || loader_.is_reading() ||
-           (is_slow() && is_settling());
+           session_.is_stale(frame_, Detail::full);
 }
 
 bool Application::is_slow() const { return full_milliseconds_ * settings_.least_frame_rate > 1000.0; }

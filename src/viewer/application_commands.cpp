@@ -31,10 +31,11 @@ void Application::add_view_commands() {
                    "This screen.",
                    [this] { shows_help_ = !shows_help_; },
                    [this] { return shows_help_; }});
-    commands_.add({"Window", "Back", {"Escape"}, "Closes this screen, and takes note of a mistake.", [this] {
-                       shows_help_ = false;
-                       messages_.mended(Messages::Source::action);
-                   }});
+    commands_.add(
+        {"Window", "Back", {"Escape"}, "Closes this screen and other questions, and takes note of a mistake.", [this] {
+             shows_help_ = asks_where_to_save_ = false;
+             messages_.mended(Messages::Source::action);
+         }});
     commands_.add({"Window",
                    "Panels",
                    {"Tab"},

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <iterator>
 #include <utility>
@@ -24,26 +25,33 @@ constexpr ImGuiWindowFlags fixed_panel = ImGuiWindowFlags_NoMove | ImGuiWindowFl
 
 constexpr std::array sample_counts{1, 4, 9, 16};
 
+constexpr const char* save_dialogue = "save as technique";
+
+// A button beside the last one where there is room for it, else below.
+bool next_button(const char* label) {
+    const float width = ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+    const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    if (ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width <= end) ImGui::SameLine();
+    return ImGui::Button(label);
+}
+
 }  // namespace
 
 void Application::show_panels() {
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float line = ImGui::GetFontSize();
-    // A narrow window keeps its middle free.
-    left_ = std::min(17 * line, 0.3f * display.x);
-    right_ = std::min(23 * line, 0.38f * display.x);
+    // A narrow window keeps its middle free. In whole pixels: nobody draws what neither panel nor picture covers.
+    left_ = std::floor(std::min(17 * line, 0.3f * display.x));
+    right_ = std::floor(std::min(23 * line, 0.38f * display.x));
     if (settings_.shows_panels) {
         show_technique_panel(left_);
         show_tuning_panel(right_);
         if (player_.has_clips()) show_animation();
     }
-    if (settings_.shows_overlay) {
-        overlay_.show(display.x - (settings_.shows_panels ? right_ : 0) - 0.5f * line, 0.5f * line, session_, renderer_,
-                      frame_);
-    }
     if (loader_.is_reading()) show_reading();
-    if (asks_where_to_save_) show_save_dialogue();
+    if (asks_where_to_save_ || ImGui::IsPopupOpen(save_dialogue)) show_save_dialogue();
     const float low = settings_.shows_panels ? left_ : 0, high = display.x - (settings_.shows_panels ? right_ : 0);
+    if (settings_.shows_overlay) overlay_.show(low, high, session_, renderer_, frame_);
     messages_.show(low, high);
     if (shows_help_) show_help_screen(commands_, shows_help_);
     magnifier_.show(canvas_, pixels_a_point_);
@@ -79,8 +87,7 @@ void Application::show_technique_panel(float width) {
 // Commands by their groups, and recent models.
 void Application::show_menu() {
     if (ImGui::Button("menu")) ImGui::OpenPopup("menu");
-    ImGui::SameLine();
-    if (ImGui::Button("help (F1)")) shows_help_ = true;
+    if (next_button("help (F1)")) shows_help_ = true;
     if (!ImGui::BeginPopup("menu")) return;
     if (ImGui::BeginMenu("Recent models", !settings_.recent_models.empty())) {
         for (const std::string& model : std::vector(settings_.recent_models)) {
@@ -110,8 +117,7 @@ void Application::show_tuning_panel(float width) {
     ImGui::TextWrapped("%s", session_.technique_help().c_str());
     ImGui::PopStyleColor();
     if (ImGui::Button("save as technique")) asks_where_to_save_ = true;
-    ImGui::SameLine();
-    if (ImGui::Button("copy command")) commands_.run("Copy the command");
+    if (next_button("copy command")) commands_.run("Copy the command");
     ImGui::BeginChild("variables");
     if (ImGui::CollapsingHeader("view and light")) show_view_settings();
     if (session_.has_technique()) variables_.show(session_, messages_);
@@ -196,14 +202,14 @@ void Application::show_reading() {
 }
 
 void Application::show_save_dialogue() {
-    if (!ImGui::IsPopupOpen("save as technique")) {
+    if (!ImGui::IsPopupOpen(save_dialogue)) {
         if (save_path_.empty())
             save_path_ = "my_" + std::filesystem::path(session_.technique_name()).stem().string() + ".technique";
-        ImGui::OpenPopup("save as technique");
+        ImGui::OpenPopup(save_dialogue);
     }
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos(ImVec2(0.5f * display.x, 0.5f * display.y), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
-    if (!ImGui::BeginPopupModal("save as technique", &asks_where_to_save_, ImGuiWindowFlags_AlwaysAutoResize)) return;
+    if (!ImGui::BeginPopupModal(save_dialogue, &asks_where_to_save_, ImGuiWindowFlags_AlwaysAutoResize)) return;
     ImGui::SetNextItemWidth(26 * ImGui::GetFontSize());
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     const bool is_entered = ImGui::InputText("##path", &save_path_, ImGuiInputTextFlags_EnterReturnsTrue);
@@ -215,8 +221,7 @@ void Application::show_save_dialogue() {
         });
     }
     ImGui::SameLine();
-    const bool is_escaped = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
-    if (ImGui::Button("cancel") || is_escaped) asks_where_to_save_ = false;
+    if (ImGui::Button("cancel")) asks_where_to_save_ = false;
     if (!asks_where_to_save_) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }

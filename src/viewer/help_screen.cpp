@@ -28,9 +28,11 @@ constexpr std::array mouse_deeds{
 void show_row(const std::string& key, const std::string& what, const std::string& more) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    ImGui::TextColored(changed_color, "%s", key.c_str());
+    ImGui::PushStyleColor(ImGuiCol_Text, changed_color);
+    ImGui::TextWrapped("%s", key.c_str());
+    ImGui::PopStyleColor();
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted(what.c_str());
+    ImGui::TextWrapped("%s", what.c_str());
     ImGui::TableNextColumn();
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
     ImGui::TextWrapped("%s", more.c_str());
@@ -59,9 +61,9 @@ void show_help_screen(const Commands& commands, bool& is_open) {
     if (ImGui::Begin("Help", &is_open,
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize) &&
         ImGui::BeginTable("keys", 3)) {
-        ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, 12 * line);
-        ImGui::TableSetupColumn("command", ImGuiTableColumnFlags_WidthFixed, 14 * line);
-        ImGui::TableSetupColumn("help", ImGuiTableColumnFlags_WidthStretch);
+        ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthStretch, 12);
+        ImGui::TableSetupColumn("command", ImGuiTableColumnFlags_WidthStretch, 14);
+        ImGui::TableSetupColumn("help", ImGuiTableColumnFlags_WidthStretch, 36);
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         ImGui::TextDisabled("Mouse");

@@ -55,18 +55,20 @@ void draw_sphere(ImDrawList& list, ImTextureID texture, const ImVec2& middle, fl
     list.PopTextureID();
 }
 
-// The value of the pixel under the mouse, below the lens.
-void show_value(ImDrawList& list, const Canvas& canvas, int x, int y, const ImVec2& place) {
+// The value of the pixel under the mouse, below the lens or where there is no room above it.
+void show_value(ImDrawList& list, const Canvas& canvas, int x, int y, float half) {
     const FrameSize size = canvas.size();
     if (x < 0 || y < 0 || x >= size.width || y >= size.height) return;
     const glm::u8vec4 pixel = canvas.pixel(x, y);
     const std::string text = fmt::format("{}, {}   #{:02x}{:02x}{:02x}", x, y, pixel.r, pixel.g, pixel.b);
-    const ImVec2 half(0.5f * ImGui::CalcTextSize(text.c_str()).x, 0);
-    const float margin = 0.3f * ImGui::GetFontSize();
-    list.AddRectFilled(ImVec2(place.x - half.x - margin, place.y),
-                       ImVec2(place.x + half.x + margin, place.y + ImGui::GetFontSize() + 2 * margin),
-                       IM_COL32(20, 22, 26, 230), margin);
-    list.AddText(ImVec2(place.x - half.x, place.y + margin), IM_COL32_WHITE, text.c_str());
+    const float text_half = 0.5f * ImGui::CalcTextSize(text.c_str()).x;
+    const float line = ImGui::GetFontSize(), margin = 0.3f * line, gap = 0.4f * line, height = line + 2 * margin;
+    ImVec2 place = ImGui::GetIO().MousePos;
+    const bool has_room = place.y + half + gap + height < ImGui::GetIO().DisplaySize.y;
+    place.y += has_room ? half + gap : -half - gap - height;
+    list.AddRectFilled(ImVec2(place.x - text_half - margin, place.y),
+                       ImVec2(place.x + text_half + margin, place.y + height), IM_COL32(20, 22, 26, 230), margin);
+    list.AddText(ImVec2(place.x - text_half, place.y + margin), IM_COL32_WHITE, text.c_str());
 }
 
 }  // namespace
@@ -82,7 +84,8 @@ void Magnifier::show(const Canvas& canvas, double pixels_a_point) const {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     // The middle of the pixel under the mouse lies in the middle of the lens.
     const double x = std::floor(mouse.x * pixels_a_point) + 0.5, y = std::floor(mouse.y * pixels_a_point) + 0.5;
-    const float half = 8 * ImGui::GetFontSize();
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const float half = std::min(8 * ImGui::GetFontSize(), 0.35f * std::min(display.x, display.y));
     Square square{{x, y}, double(half) * pixels_a_point / factor_, canvas.size()};
     const ImVec2 corner(mouse.x - half, mouse.y - half), other(mouse.x + half, mouse.y + half);
     ImDrawList& list = *ImGui::GetForegroundDrawList();
@@ -96,7 +99,7 @@ void Magnifier::show(const Canvas& canvas, double pixels_a_point) const {
                              square.coordinates({1, 1}), IM_COL32_WHITE, rounding);
     }
     list.AddRect(corner, other, IM_COL32(40, 44, 52, 255), rounding, 0, 0.15f * ImGui::GetFontSize());
-    show_value(list, canvas, int(x), int(y), ImVec2(mouse.x, other.y + 0.4f * ImGui::GetFontSize()));
+    show_value(list, canvas, int(x), int(y), half);
 }
 
 }  // namespace croquis::viewer

@@ -30,17 +30,21 @@ void Overlay::measure_passes(Session& session, FrameSize frame) {
     }
 }
 
-void Overlay::show(float x, float y, Session& session, const Renderer& renderer, FrameSize frame) {
+void Overlay::show(float low, float high, Session& session, const Renderer& renderer, FrameSize frame) {
     measure_passes(session, frame);
-    ImGui::SetNextWindowPos(ImVec2(x, y), ImGuiCond_Always, ImVec2(1, 0));
+    const float line = ImGui::GetFontSize();
+    const float room = high - low - line - 2 * ImGui::GetStyle().WindowPadding.x;
+    const float width = std::max(line, std::min(16 * line, room));
+    ImGui::SetNextWindowPos(ImVec2(high - 0.5f * line, 0.5f * line), ImGuiCond_Always, ImVec2(1, 0));
     ImGui::Begin("overlay", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNav |
                      ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoFocusOnAppearing);
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
     const float last = milliseconds_[(next_ + frames_kept - 1) % frames_kept];
     ImGui::Text("%.1f ms a drawing, %.0f a second", double(last), last > 0 ? 1000.0 / double(last) : 0.0);
     const float longest = *std::max_element(milliseconds_.begin(), milliseconds_.end());
     ImGui::PlotHistogram("##frames", milliseconds_.data(), int(frames_kept), int(next_), nullptr, 0, longest,
-                         ImVec2(16 * ImGui::GetFontSize(), 2.5f * ImGui::GetFontSize()));
+                         ImVec2(width, 2.5f * line));
     for (const PassTime& pass : passes_) ImGui::Text("%8.2f ms  %s", pass.milliseconds, pass.pass.c_str());
     if (const Model* model = session.model()) {
         ImGui::Text("%zu triangles in %zu meshes", model->triangle_count(), model->mesh_count());
@@ -49,6 +53,7 @@ void Overlay::show(float x, float y, Session& session, const Renderer& renderer,
     const RendererInfo info = renderer.info();
     ImGui::Text("%s", info.api.c_str());
     ImGui::TextUnformatted(info.renderer.c_str());
+    ImGui::PopTextWrapPos();
     ImGui::End();
 }
 

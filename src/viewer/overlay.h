@@ -18,8 +18,8 @@ public:
 
     /// True when pass times are those of an older drawing and may be measured anew: at most twice a second.
     [[nodiscard]] bool is_due() const;
-    /// Shows the box, its upper right corner at (x, y). Measures first where that is due.
-    void show(float x, float y, Session& session, const Renderer& renderer, FrameSize frame);
+    /// Shows the box above at the right, between `low` and `high` across. Measures first where that is due.
+    void show(float low, float high, Session& session, const Renderer& renderer, FrameSize frame);
 
 private:
     void measure_passes(Session& session, FrameSize frame);

@@ -15,8 +15,8 @@ from program import DATA, MODELS, PROGRAM, ProgramTest, main
 sys.path.insert(0, str(DATA.parent / "tools"))
 from virtual_window import VirtualWindow  # noqa: E402
 
-SIZE = (900, 560)
-MIDDLE = (405, 280)  # of the drawing, between the panels
+SIZE = (720, 450)
+MIDDLE = (330, 225)  # of the drawing, between the panels
 KNOB = (61, 133, 224)  # of a slider
 MISTAKE = (255, 153, 128)  # the colour of what is told
 
@@ -83,7 +83,7 @@ class WindowTest(ProgramTest):
         """Drag, keys, another technique, pictures, and what is remembered at the end."""
         window = self.open_window(MODELS / "teapot.obj", "-t", "cartoon")
         first = self.picture(window)
-        window.drag((450, 280), (520, 220))
+        window.drag(MIDDLE, (390, 180))
         turned = self.picture(window)
         window.wheel(3)
         nearer = self.picture(window)
@@ -151,7 +151,8 @@ class WindowTest(ProgramTest):
         self.assertNotEqual(float(width), 1)
         self.assert_same(self.by_command(command), tuned)
         window.key("ctrl+s")
-        window.key("Return")
+        window.hold("Return")
+        window.let_go("Return")
         saved = window.wait_for_file("my_mine.technique")
         self.assertRegex(saved.read_text(), rf"\bwidth {re.escape(width)} ;")
         command = command.replace(f" --set lines.width={width}", "").replace(str(technique), str(saved))
@@ -175,6 +176,7 @@ class WindowTest(ProgramTest):
 
     def test_files_are_dropped(self):
         """What is wrong is told, and ends nothing."""
+        self.write("viewer.toml", "shows_panels = false\n")
         window = self.open_window(MODELS / "cube.obj", "-t", "phong")
         window.drop(self.write("board.obj", BOARD))
         window.wait_until(lambda: window.picture().name.startswith("board"), "the model that was dropped is shown")
@@ -199,7 +201,8 @@ class WindowTest(ProgramTest):
         self.assert_closes(window)
 
     def test_sizes_and_focus(self):
-        window = self.open_window(MODELS / "teapot.obj", "-t", "cartoon", screen=(5000, 600))
+        self.write("viewer.toml", "shows_panels = false\n")
+        window = self.open_window(MODELS / "teapot.obj", "-t", "cartoon", screen=(5000, 500))
         shown, picture = window.shown(), self.picture(window)
         window.resize(1, 1)
         window.resize(*SIZE)

@@ -400,9 +400,12 @@ TEST_F(ApplicationTest, WhatMovesGivesUpDetailWhereItIsSlow) {
     mouse(380, 150, true);
     EXPECT_EQ(shown().difference_from(drawn_with(1)).maximum, 0);
     EXPECT_GT(shown().difference_from(drawn_with(16)).maximum, 0);
+    std::this_thread::sleep_for(std::chrono::milliseconds(350));
+    EXPECT_TRUE(application_->wants_frames()) << "the full picture is due, however long the last one took";
     mouse(380, 150, false);
     std::this_thread::sleep_for(std::chrono::milliseconds(350));
     frames();
+    EXPECT_FALSE(application_->wants_frames());
     EXPECT_EQ(shown().difference_from(drawn_with(16)).maximum, 0);
 }
 

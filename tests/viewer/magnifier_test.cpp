@@ -61,7 +61,7 @@ protected:
         ImGui::CreateContext();
         ImGuiIO& io = ImGui::GetIO();
         io.IniFilename = nullptr;
-        io.DisplaySize = ImVec2(400, 300);
+        io.DisplaySize = ImVec2(800, 600);
         set_appearance(1);
         unsigned char* pixels = nullptr;
         int width = 0, height = 0;
