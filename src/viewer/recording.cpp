@@ -17,8 +17,11 @@ constexpr std::chrono::seconds longest_wait(1);
 }  // namespace
 
 Recording::Recording(std::string path, Picture first, Time now, std::size_t most_bytes)
-    : path_(std::move(path)), begun_(now), most_bytes_(most_bytes) {
-    waiting_.push_back({std::move(first), 0});
+    : path_(std::move(path)),
+      begun_(now),
+      most_bytes_(most_bytes),
+      options_{first.width(), first.height(), frame_rate} {
+    waiting_.push_back({std::make_unique<Picture>(std::move(first)), 0});
     thread_ = std::thread([this] { write(); });
 }
 
@@ -43,11 +46,11 @@ void Recording::add(Picture picture, Time now) {
     if (last_frame_ >= 0 || is_over_) return;
     const long long frame = frame_at(now);
     if (waiting_.back().first_frame >= frame) {  // the one before was seen in no frame
-        waiting_.back().picture = std::move(picture);
+        waiting_.back().picture = std::make_unique<Picture>(std::move(picture));
     } else if (has_room(picture.pixels().size())) {
-        waiting_.push_back({std::move(picture), frame});
+        waiting_.push_back({std::make_unique<Picture>(std::move(picture)), frame});
     } else {
-        waiting_.back() = {std::move(picture), frame};
+        waiting_.back() = {std::make_unique<Picture>(std::move(picture)), frame};
     }
     has_news_.notify_one();
 }
@@ -84,17 +87,16 @@ void Recording::write() {
 }
 
 void Recording::write_pictures() {
-    std::optional<video::VideoWriter> writer;
+    video::VideoWriter writer(path_, options_);
     while (const auto standing = take()) {
         long long repeated = standing->frames;
         if (const auto& picture = standing->picture) {
-            if (!writer) writer.emplace(path_, video::VideoOptions{picture->width(), picture->height(), frame_rate});
-            writer->add({picture->width(), picture->height(), picture->pixels()});
+            writer.add({picture->width(), picture->height(), picture->pixels()});
             --repeated;
         }
-        writer->repeat(repeated);
+        writer.repeat(repeated);
     }
-    writer->finish();
+    writer.finish();
 }
 
 std::optional<Recording::Standing> Recording::take() {
@@ -106,7 +108,7 @@ std::optional<Recording::Standing> Recording::take() {
     const long long until = waiting_.size() > 1 ? waiting_[1].first_frame
                             : is_over           ? last_frame_
                                                 : frame_at(std::chrono::steady_clock::now());
-    Standing standing{std::exchange(oldest.picture, std::nullopt), until - oldest.first_frame};
+    Standing standing{std::move(oldest.picture), until - oldest.first_frame};
     oldest.first_frame = until;
     if (is_over) waiting_.pop_front();
     return standing;

@@ -5,12 +5,14 @@
 #include <condition_variable>
 #include <cstddef>
 #include <deque>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
 
 #include "croquis/picture.h"
+#include "video/encoder.h"
 
 namespace croquis::viewer {
 
@@ -48,11 +50,11 @@ public:
 private:
     /// A picture from the frame on from which it is to be written. Without picture the last one stands on.
     struct Shown {
-        std::optional<Picture> picture;
+        std::unique_ptr<const Picture> picture;
         long long first_frame;
     };
     struct Standing {
-        std::optional<Picture> picture;
+        std::unique_ptr<const Picture> picture;
         long long frames;
     };
     [[nodiscard]] long long frame_at(Time time) const;
@@ -65,6 +67,7 @@ private:
     const std::string path_;
     const Time begun_;
     const std::size_t most_bytes_;
+    const video::VideoOptions options_;
     mutable std::mutex mutex_;
     std::condition_variable has_news_;
     std::deque<Shown> waiting_;  // the newest stays: another may take its place before it is seen

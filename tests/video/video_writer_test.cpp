@@ -255,7 +255,7 @@ TEST(VideoWriter, TellsWhatCannotBe) {
     EXPECT_EQ(error("a.mkv", {32, 16385, 30}), "a.mkv: expected a video of 1 to 16384 pixels a side, found 32x16385");
     EXPECT_EQ(error("a.mp4", {32, 32, 0}), "a.mp4: expected 1 to 240 frames a second, found 0");
     EXPECT_EQ(error("a.gif", {32, 32, 60}), "a.gif: expected 1 to 50 frames a second, found 60");
-    EXPECT_EQ(error("b/a.mp4", {32, 32, 30}), "b/a.mp4: folder " + (folder.path() / "b").string() + " does not exist");
+    EXPECT_EQ(error("b/a.mp4", {32, 32, 30}), "b/a.mp4: folder b does not exist");
     fs::create_directory(folder.path() / "c.mp4");
     EXPECT_EQ(error("c.mp4", {32, 32, 30}), "c.mp4: expected a file name, found a folder");
     EXPECT_EQ(without(error_of([&] {
