@@ -25,7 +25,7 @@ private:
     void open_codec(const VideoOptions& options);
     void open_file(const std::string& path);
     void encode(AVFrame* picture);
-    void write_packets();
+    void write_packet();
 
     const VideoFormat& format_;
     std::string name_;
@@ -33,7 +33,8 @@ private:
     std::optional<Conversion> conversion_;  // none to a palette
     Owned<AVFormatContext> file_;
     Owned<AVCodecContext> codec_;
-    Owned<AVPacket> packet_;
+    Owned<AVPacket> received_;
+    Owned<AVPacket> packet_;  // the last one
     Owned<AVFrame> picture_;  // the last one, as the codec takes it
     AVStream* stream_ = nullptr;
     long long frames_ = 0;
@@ -58,6 +59,7 @@ FileEncoder::FileEncoder(const EncoderTarget& target, const VideoOptions& option
       fitting_(options.width, options.height, format_.has_even_sides),
       file_(new_file(target, format_.container)),
       codec_(owned(avcodec_alloc_context3(codec_of(format_, name_)))),
+      received_(owned(av_packet_alloc())),
       packet_(owned(av_packet_alloc())) {
     if (!format_.has_palette()) conversion_.emplace(fitting_.sheet(), format_.pixels);
     open_codec(options);
@@ -105,14 +107,19 @@ void FileEncoder::open_file(const std::string& path) {
 void FileEncoder::add(const VideoFrame& frame) {
     const AVFrame& sheet = fitting_.fitted(frame);
     picture_ = conversion_ ? conversion_->converted(sheet) : with_palette(sheet);
-    picture_->pict_type = AV_PICTURE_TYPE_NONE;
+    av_packet_unref(packet_.get());
     repeat(1);
 }
 
 void FileEncoder::repeat(long long times) {
     for (; times > 0; --times) {
-        picture_->pts = frames_++;
-        encode(picture_.get());
+        if (format_.has_whole_frames() && packet_->data != nullptr) {
+            packet_->pts = packet_->dts = frames_++;
+            write_packet();
+        } else {
+            picture_->pts = frames_++;
+            encode(picture_.get());
+        }
     }
 }
 
@@ -125,19 +132,22 @@ void FileEncoder::finish() {
 // No picture: there are no more.
 void FileEncoder::encode(AVFrame* picture) {
     checked(avcodec_send_frame(codec_.get(), picture), name_);
-    write_packets();
-}
-
-void FileEncoder::write_packets() {
     for (;;) {
-        const int code = avcodec_receive_packet(codec_.get(), packet_.get());
+        const int code = avcodec_receive_packet(codec_.get(), received_.get());
         if (code == AVERROR(EAGAIN) || code == AVERROR_EOF) return;
         checked(code, name_);
-        packet_->duration = 1;  // in frames
-        av_packet_rescale_ts(packet_.get(), codec_->time_base, stream_->time_base);
-        packet_->stream_index = stream_->index;
-        checked(av_interleaved_write_frame(file_.get(), packet_.get()), name_);
+        std::swap(packet_, received_);
+        write_packet();
     }
+}
+
+// The container takes a copy's reference: the packet stays, in frames.
+void FileEncoder::write_packet() {
+    const auto written = owned(av_packet_clone(packet_.get()));
+    written->duration = 1;
+    av_packet_rescale_ts(written.get(), codec_->time_base, stream_->time_base);
+    written->stream_index = stream_->index;
+    checked(av_interleaved_write_frame(file_.get(), written.get()), name_);
 }
 
 }  // namespace

@@ -1,5 +1,8 @@
 #include "viewer/recording.h"
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <exception>
@@ -73,8 +76,10 @@ std::string Recording::error() const {
     return error_;
 }
 
-// A thread's exceptions end the program: all become a message.
+// A thread's exceptions end the program: all become a message. What is drawn goes before what is encoded.
 void Recording::write() {
+    constexpr int nicer = 10;
+    ::setpriority(PRIO_PROCESS, id_t(::gettid()), nicer);  // of a thread alone, on Linux
     std::string error;
     try {
         write_pictures();

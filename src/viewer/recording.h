@@ -25,7 +25,7 @@ public:
     static constexpr int frame_rate = 30;
 
     /// Of pictures that wait for the encoder; two may wait in any case.
-    static constexpr std::size_t most_bytes_waiting = std::size_t{192} << 20;
+    static constexpr std::size_t most_bytes_waiting = std::size_t{96} << 20;
 
     /// Begins a video with a picture, which gives it its size. Its ending is one of video_endings.
     Recording(std::string path, Picture first, Time now, std::size_t most_bytes = most_bytes_waiting);
