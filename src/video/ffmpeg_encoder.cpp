@@ -16,6 +16,7 @@ namespace {
 class FileEncoder final : public Encoder {
 public:
     FileEncoder(const EncoderTarget& target, const VideoOptions& options);
+    ~FileEncoder() override;
 
     void add(const VideoFrame& frame) override;
     void repeat(long long times) override;
@@ -38,6 +39,7 @@ private:
     Owned<AVFrame> picture_;  // the last one, as the codec takes it
     AVStream* stream_ = nullptr;
     long long frames_ = 0;
+    bool is_begun_ = false;  // the file, and not ended
 };
 
 Owned<AVFormatContext> new_file(const EncoderTarget& target, const char* container) {
@@ -102,6 +104,12 @@ void FileEncoder::open_file(const std::string& path) {
     }
     checked(avio_open(&file_->pb, path.c_str(), AVIO_FLAG_WRITE), name_);
     checked(avformat_write_header(file_.get(), nullptr), name_);
+    is_begun_ = true;
+}
+
+// A container lets go of some of what it holds only at its end, as the GIF does.
+FileEncoder::~FileEncoder() {
+    if (is_begun_) av_write_trailer(file_.get());
 }
 
 void FileEncoder::add(const VideoFrame& frame) {
@@ -125,6 +133,7 @@ void FileEncoder::repeat(long long times) {
 
 void FileEncoder::finish() {
     encode(nullptr);
+    is_begun_ = false;
     checked(av_write_trailer(file_.get()), name_);
     checked(avio_closep(&file_->pb), name_);
 }

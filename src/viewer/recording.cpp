@@ -14,8 +14,9 @@
 namespace croquis::viewer {
 namespace {
 
-// A picture that stands is written now and then, so that there is not too much to write when the next one comes.
-constexpr std::chrono::seconds longest_wait(1);
+// For how long a picture stands is known when the next one comes, and until then nothing is to do. But what stands for
+// long is written now and then: too much to write at once, and the next pictures would find no room.
+constexpr std::chrono::seconds longest_wait(10);
 
 }  // namespace
 
