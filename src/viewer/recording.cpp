@@ -16,7 +16,7 @@ namespace {
 
 // For how long a picture stands is known when the next one comes, and until then nothing is to do. But what stands for
 // long is written now and then: too much to write at once, and the next pictures would find no room.
-constexpr std::chrono::seconds longest_wait(10);
+constexpr std::chrono::seconds longest_wait(5);
 
 }  // namespace
 

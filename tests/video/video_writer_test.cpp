@@ -80,6 +80,7 @@ struct Case {
     int tolerance;   // levels, in flat fields
     double seconds;  // how exact its times are
 };
+void PrintTo(const Case& given, std::ostream* out) { *out << given.ending; }
 constexpr std::array<Case, 4> cases{
     {{".mp4", "h264", 4, 1e-4}, {".webm", "vp9", 6, 1e-3}, {".mkv", "ffv1", 0, 1e-3}, {".gif", "gif", 0, 0.0101}}};
 
