@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <thread>
 
 #include "base/error.h"
@@ -91,6 +93,21 @@ void drag(benchmark::State& state, Desk& desk) {
     desk.rest();
 }
 
+// The same while a video is recorded. The processor is shared with the encoder.
+void drag_recorded(benchmark::State& state, Desk& desk) {
+    namespace fs = std::filesystem;
+    const fs::path before = fs::current_path(), folder = fs::temp_directory_path() / "croquis_bench_viewer";
+    fs::create_directories(folder);
+    fs::current_path(folder);  // videos are written to where one stands
+    desk.application().press("F11");
+    drag(state, desk);
+    desk.application().press("F11");
+    const auto is_video = [](const auto& entry) { return entry.path().extension() == ".mp4"; };  // and no part of one
+    while (std::none_of(fs::directory_iterator(folder), {}, is_video)) desk.rest();
+    fs::current_path(before);
+    fs::remove_all(folder);
+}
+
 void still(benchmark::State& state, Desk& desk) {
     for (auto _ : state) desk.frame();
 }
@@ -134,6 +151,7 @@ int main(int argc, char** argv) {
                 ->UseRealTime();
         };
         add("mouse to picture, cartoon", drag);
+        add("mouse to picture, recording", drag_recorded);
         add("frame, nothing new", still);
         add("frame, nothing new, panels", still_with_panels);
         add("first switch, mean of all", first_switch)

@@ -24,7 +24,8 @@ MAY_USE = {
     "output": {"base", "image", "lines"},
     "api": {"base", "model", "image", "lines", "gpu", "framework", "components", "output", "croquis"},
     "bench": {"base", "output", "croquis"},
-    "viewer": {"base", "gpu", "croquis"},
+    "video": {"base"},
+    "viewer": {"base", "gpu", "video", "croquis"},
 }
 APPS_MAY_USE = {"croquis", "bench", "viewer", "framework", "base"}
 # Below the API, one public header is known: the error that everything throws.
@@ -123,7 +124,10 @@ SELF_TEST = [
     ("src/viewer/a.cpp", '#include <imgui.h>\n#include "viewer/session.h"\n#include "croquis/renderer.h"', None),
     ("src/viewer/a.cpp", "#include <GLFW/glfw3.h>", "the library knows no window and no viewer"),
     ("src/viewer/a.cpp", "#include <backends/imgui_impl_glfw.h>", "the library knows no window and no viewer"),
-    ("src/viewer/a.cpp", '#include "framework/scene.h"', "viewer may use base, croquis, gpu only"),
+    ("src/viewer/a.cpp", '#include "framework/scene.h"', "viewer may use base, croquis, gpu, video only"),
+    ("src/viewer/a.cpp", '#include "video/video_writer.h"', None),
+    ("src/video/a.cpp", '#include "croquis/picture.h"', "video may use base only"),
+    ("src/components/a.cpp", '#include "video/video_writer.h"', "components may use"),
     ("src/odd/a.cpp", '#include "base/error.h"', "the folder src/odd has no place in the design"),
     ("apps/croquis/a.cpp", '#include "commands.h"\n#include "framework/library.h"\n#include "croquis/view.h"', None),
     ("apps/croquis/a.cpp", '#include "gpu/context.h"', "apps may use base, bench, croquis, framework, viewer only"),

@@ -24,7 +24,7 @@ constexpr int frames_after_event = 3;
 // How long a sleeping window may not notice a changed file or a model that was read.
 constexpr double seconds_asleep = 0.4;
 
-constexpr std::array<std::pair<int, const char*>, 14> named_keys{{{GLFW_KEY_TAB, "Tab"},
+constexpr std::array<std::pair<int, const char*>, 15> named_keys{{{GLFW_KEY_TAB, "Tab"},
                                                                   {GLFW_KEY_SPACE, "Space"},
                                                                   {GLFW_KEY_BACKSPACE, "Backspace"},
                                                                   {GLFW_KEY_HOME, "Home"},
@@ -36,6 +36,7 @@ constexpr std::array<std::pair<int, const char*>, 14> named_keys{{{GLFW_KEY_TAB,
                                                                   {GLFW_KEY_KP_SUBTRACT, "-"},
                                                                   {GLFW_KEY_F1, "F1"},
                                                                   {GLFW_KEY_F2, "F2"},
+                                                                  {GLFW_KEY_F11, "F11"},
                                                                   {GLFW_KEY_F12, "F12"},
                                                                   {GLFW_KEY_ESCAPE, "Escape"}}};
 

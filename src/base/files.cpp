@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <utility>
 
 #include "base/error.h"
 
@@ -76,28 +77,33 @@ std::string read_file(const std::filesystem::path& path, std::uintmax_t most_byt
     return bytes;
 }
 
+PartialFile::PartialFile(std::filesystem::path path) : path_(std::move(path)) {
+    check_place(path_);
+    written_ = is_special(path_) ? path_ : part_beside(path_);
+}
+
+PartialFile::~PartialFile() {
+    std::error_code ignored;
+    if (written_ != path_) std::filesystem::remove(written_, ignored);
+}
+
+void PartialFile::keep() {
+    std::error_code error;
+    if (written_ != path_) std::filesystem::rename(written_, path_, error);
+    if (error) fail("{}: cannot write: {}", path_.string(), error.message());
+    written_ = path_;
+}
+
 void write_file_whole(const std::filesystem::path& path, std::span<const std::byte> bytes) {
     if (path == "-") return write_standard_output(bytes);
-    check_place(path);
-    std::error_code error;
-    const bool in_place = is_special(path);
-    const std::filesystem::path beside = in_place ? path : part_beside(path);
-    File file = opened_to_write(path, beside);
+    PartialFile partial(path);
+    File file = opened_to_write(path, partial.written());
     const bool written = write_all(file.get(), bytes);
     int reason = errno;
     const bool closed = std::fclose(file.release()) == 0;
     if (written && !closed) reason = errno;
-    if (!written || !closed) {
-        if (!in_place) std::filesystem::remove(beside, error);
-        fail("{}: cannot write: {}", path.string(), std::strerror(reason));
-    }
-    if (in_place) return;
-    std::filesystem::rename(beside, path, error);
-    if (error) {
-        std::error_code ignored;
-        std::filesystem::remove(beside, ignored);
-        fail("{}: cannot write: {}", path.string(), error.message());
-    }
+    if (!written || !closed) fail("{}: cannot write: {}", path.string(), std::strerror(reason));
+    partial.keep();
 }
 
 void write_file_whole(const std::filesystem::path& path, std::string_view text) {
@@ -106,12 +112,8 @@ void write_file_whole(const std::filesystem::path& path, std::string_view text) 
 
 void check_writable(const std::filesystem::path& path) {
     if (path == "-") return;
-    check_place(path);
-    if (is_special(path)) return;
-    const std::filesystem::path beside = part_beside(path);
-    opened_to_write(path, beside).reset();
-    std::error_code ignored;
-    std::filesystem::remove(beside, ignored);
+    const PartialFile partial(path);
+    if (partial.written() != path) opened_to_write(path, partial.written()).reset();
 }
 
 }  // namespace croquis

@@ -29,15 +29,6 @@ std::string ending_of(const std::string& path) {
     return ending;
 }
 
-// drawing-1.png, drawing-2.png, …: the first that is not there yet.
-std::string unused_name(const std::string& stem, const std::string& ending) {
-    std::error_code error;
-    for (int number = 1;; ++number) {
-        std::string name = fmt::format("{}-{}{}", stem, number, ending);
-        if (!fs::exists(name, error)) return name;
-    }
-}
-
 }  // namespace
 
 Application::Application(Renderer& renderer, Settings settings)
@@ -182,6 +173,10 @@ bool Application::poll() {
         take_arrival(std::move(*arrival));
         is_due = true;
     }
+    if (const auto outcome = recorder_.take()) {
+        tell(*outcome);
+        is_due = true;
+    }
     if (Clock::now() - looked_at_files_ >= time_between_looks) {
         looked_at_files_ = Clock::now();
         if (watch_.has_changed()) {
@@ -196,7 +191,7 @@ bool Application::is_moving() const { return mouse_.is_dragging() || mouse_.is_c
 
 bool Application::wants_frames() const {
     return mouse_.is_coasting() || player_.is_playing() || can_draw_thumbnail() || loader_.is_reading() ||
-           session_.is_stale(frame_, Detail::full);
+           recorder_.wants_frame() || session_.is_stale(frame_, Detail::full);
 }
 
 bool Application::is_slow() const { return full_milliseconds_ * settings_.least_frame_rate > 1000.0; }
@@ -246,6 +241,7 @@ void Application::draw_picture() {
     const double milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - begun).count();
     if (asked == Detail::full) full_milliseconds_ = milliseconds;
     overlay_.add_frame(milliseconds);
+    if (recorder_.is_recording()) recorder_.add(shown_picture());
 }
 
 // None of a large model before its smaller copy is there.
@@ -284,11 +280,35 @@ void Application::frame(FrameSize pixels) {
     show_picture();
 }
 
+// drawing-1.png, drawing-2.png, …: the first that is not there yet.
+std::string Application::unused_path(const std::string& ending) const {
+    const std::string model = fs::path(session_.model_path()).stem().string();
+    std::error_code error;
+    for (int number = 1;; ++number) {
+        std::string path = fmt::format("{}-{}{}", model.empty() ? "drawing" : model, number, ending);
+        if (!fs::exists(path, error) && !recorder_.is_writing(path)) return path;
+    }
+}
+
 void Application::save_picture(bool has_background) {
-    const std::string stem = fs::path(session_.model_path()).stem().string();
-    const std::string path = unused_name(stem.empty() ? "drawing" : stem, ".png");
+    const std::string path = unused_path(".png");
     session_.save_picture(path, frame_, picture_scale_, has_background);
     messages_.note("wrote " + path);
+}
+
+Picture Application::shown_picture() const { return {canvas_.size().width, canvas_.size().height, canvas_.pixels()}; }
+
+void Application::record() {
+    if (recorder_.is_recording()) return recorder_.stop();
+    if (session_.model() == nullptr) fail("expected a model to record, found none");
+    recorder_.start(unused_path(settings_.video), shown_picture());
+}
+
+void Application::tell(const Recorder::Outcome& outcome) {
+    if (outcome.error.empty())
+        messages_.note("wrote " + outcome.path);
+    else
+        messages_.tell(Messages::Source::action, outcome.error);
 }
 
 void Application::paste_camera() {

@@ -15,6 +15,7 @@
 #include "viewer/model_loader.h"
 #include "viewer/mouse.h"
 #include "viewer/overlay.h"
+#include "viewer/recorder.h"
 #include "viewer/session.h"
 #include "viewer/settings.h"
 #include "viewer/technique_panel.h"
@@ -73,7 +74,11 @@ private:
     void watch_files();
     void reload_files();
     void take_arrival(ModelLoader::Arrival arrival);
+    [[nodiscard]] std::string unused_path(const std::string& ending) const;
     void save_picture(bool has_background);
+    [[nodiscard]] Picture shown_picture() const;
+    void record();
+    void tell(const Recorder::Outcome& outcome);
     void paste_camera();
 
     void look_at_whole(View view);
@@ -112,6 +117,7 @@ private:
     Thumbnails thumbnails_;
     VariablesPanel variables_;
     Overlay overlay_;
+    Recorder recorder_;
 
     FrameSize frame_{0, 0};  // in pixels; nothing before the first frame
     double pixels_a_point_ = 1;

@@ -161,6 +161,12 @@ void Application::add_file_commands() {
                    {"Shift+F12"},
                    "The same, transparent where nothing is drawn.",
                    [this] { save_picture(false); }});
+    commands_.add({"Pictures",
+                   "Record",
+                   {"F11"},
+                   "Records the drawing to a video beside the pictures, until this key again.",
+                   [this] { record(); },
+                   [this] { return recorder_.is_recording(); }});
     commands_.add(
         {"Pictures", "Copy the command", {"Ctrl+C"}, "Copies the command that draws this picture to a file.", [this] {
              ImGui::SetClipboardText(session_.command_line(frame_).c_str());

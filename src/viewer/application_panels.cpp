@@ -10,6 +10,7 @@
 #include <iterator>
 #include <utility>
 
+#include "video/video_writer.h"
 #include "viewer/appearance.h"
 #include "viewer/application.h"
 #include "viewer/help_screen.h"
@@ -48,6 +49,7 @@ void Application::show_panels() {
         show_tuning_panel(right_);
         if (player_.has_clips()) show_animation();
     }
+    recorder_.show((settings_.shows_panels ? left_ : 0) + 0.5f * line, 0.5f * line);
     if (loader_.is_reading()) show_reading();
     if (asks_where_to_save_ || ImGui::IsPopupOpen(save_dialogue)) show_save_dialogue();
     const float low = settings_.shows_panels ? left_ : 0, high = display.x - (settings_.shows_panels ? right_ : 0);
@@ -164,6 +166,12 @@ void Application::show_view_settings() {
         ImGui::EndCombo();
     }
     ImGui::SliderInt("picture scale", &picture_scale_, 1, 8, "%d x");
+    if (ImGui::BeginCombo("video", settings_.video.c_str())) {
+        for (const char* ending : video::video_endings) {
+            if (ImGui::Selectable(ending, ending == settings_.video)) settings_.video = ending;
+        }
+        ImGui::EndCombo();
+    }
     bool has_background = session_.background().has_value();
     std::array<float, 3> color{1, 1, 1};
     if (has_background) {

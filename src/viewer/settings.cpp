@@ -121,6 +121,7 @@ Settings Settings::load(const fs::path& path) {
         reader.read("shows_panels", settings.shows_panels);
         reader.read("shows_overlay", settings.shows_overlay);
         reader.read("has_inertia", settings.has_inertia);
+        reader.read("video", settings.video);
         reader.read("moves", settings.moves, names_of_moves);
         reader.read("light_stays_with", settings.light_stays_with, names_of_companions);
     } catch (const toml::parse_error& mistake) {
@@ -145,6 +146,7 @@ void Settings::save(const fs::path& path) const {
                             {"shows_panels", shows_panels},
                             {"shows_overlay", shows_overlay},
                             {"has_inertia", has_inertia},
+                            {"video", video},
                             {"moves", name_of(moves, names_of_moves)},
                             {"light_stays_with", name_of(light_stays_with, names_of_companions)}};
     std::error_code error;

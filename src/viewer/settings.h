@@ -20,6 +20,7 @@ struct Settings {
     bool shows_panels = true;
     bool shows_overlay = false;
     bool has_inertia = false;
+    std::string video = ".mp4";  ///< ending of recorded videos, one of video_endings
     Moves moves = Moves::object;
     LightStaysWith light_stays_with = LightStaysWith::viewer;
 

@@ -67,6 +67,23 @@ TEST(WriteFileWhole, LeavesNothingBehindWhenItCannotReplace) {
 
 TEST(WriteFileWhole, WritesThroughToDevices) { EXPECT_NO_THROW(write_file_whole("/dev/null", "x")); }
 
+TEST(PartialFile, TakesItsPlaceWhenItIsKeptAndNotBefore) {
+    const TemporaryFolder folder;
+    const auto path = folder.write("kept", "old");
+    {
+        const PartialFile abandoned(path);
+        std::ofstream(abandoned.written()) << "half";
+        EXPECT_EQ(file_count(folder.path()), 2u);
+    }
+    EXPECT_EQ(file_count(folder.path()), 1u);
+    EXPECT_EQ(read_file(path, 100), "old");
+    PartialFile complete(path);
+    std::ofstream(complete.written()) << "new";
+    complete.keep();
+    EXPECT_EQ(read_file(path, 100), "new");
+    EXPECT_EQ(file_count(folder.path()), 1u);
+}
+
 TEST(CheckWritable, RefusesWhatCannotBeWrittenAndWritesNothing) {
     const TemporaryFolder folder;
     const auto kept = folder.write("kept", "old");

@@ -7,11 +7,13 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <set>
 #include <thread>
 
 #include "api/shapes.h"
 #include "gpu/context.h"
+#include "video/decoded_video.h"
 #include "viewer/appearance.h"
 
 namespace croquis::viewer {
@@ -23,6 +25,20 @@ constexpr FrameSize frame_size{640, 400};
 constexpr const char* cube_text =
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nv 1 1 1\n"
     "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
+
+namespace fs = std::filesystem;
+
+/// What is written without a folder goes there.
+class CurrentFolder {
+public:
+    explicit CurrentFolder(const fs::path& folder) : before_(fs::current_path()) { fs::current_path(folder); }
+    ~CurrentFolder() { fs::current_path(before_); }
+    CurrentFolder(const CurrentFolder&) = delete;
+    CurrentFolder& operator=(const CurrentFolder&) = delete;
+
+private:
+    fs::path before_;
+};
 
 class ApplicationTest : public ::testing::Test {
 protected:
@@ -333,7 +349,9 @@ TEST_F(ApplicationTest, EveryCommandRuns) {
     for (const bool has_model : {false, true}) {
         if (has_model) open_cube();
         for (const Command& command : application_->commands().all()) {
-            if (command.name.starts_with("Picture") || command.name == "Close") continue;  // they write, and end
+            if (command.name.starts_with("Picture") || command.name == "Record" || command.name == "Close") {
+                continue;  // they write, and end
+            }
             application_->press(command.keys.front());
             frames();
             application_->release(command.keys.front());
@@ -470,6 +488,85 @@ TEST_F(ApplicationTest, AnAnimationPlays) {
     const double paused = session().seconds();
     frames(3);
     EXPECT_EQ(session().seconds(), paused);
+}
+
+// What stands on the canvas at a time is what the video's frame of that time shows, drags and pauses alike.
+TEST_F(ApplicationTest, RecordingADragGivesWhatTheCanvasShowedAtItsTimes) {
+    using Clock = std::chrono::steady_clock;
+    const CurrentFolder here(folder_.path());
+    Settings settings = application_->settings();
+    settings.video = ".mkv";
+    application_ = std::make_unique<Application>(*renderer_, settings);
+    frames();
+    open_cube();
+    struct Seen {
+        double from, until;  // seconds: not before the one, at the latest from the other
+        Picture picture;
+    };
+    const Clock::time_point before = Clock::now();
+    const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - before).count(); };
+    application_->press("F11");
+    const double latest_begin = seconds();
+    std::vector<Seen> seen{{0, 0, shown()}};
+    mouse(300, 210, false);
+    for (int i = 0; i <= 5; ++i) {
+        const double from = seconds();
+        mouse(300 + 16 * i, 210 - 10 * i, true);
+        seen.push_back({from, seconds(), shown()});
+        std::this_thread::sleep_for(std::chrono::milliseconds(i == 2 ? 250 : 60));
+    }
+    const double end = seconds();
+    application_->press("F11");
+    for (int i = 0; !fs::exists("cube-1.mkv") && i < 2000; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    const test_support::DecodedVideo video = test_support::decode_video("cube-1.mkv");
+    EXPECT_EQ(video.width, frame_size.width);
+    EXPECT_EQ(video.height, frame_size.height);
+    EXPECT_NEAR(double(video.frames.size()) / 30, end, latest_begin + 1.0 / 30 + 0.01);
+    for (std::size_t i = 0; i < video.frames.size(); ++i) {
+        // The frame's time lies between these; so it shows one of what stood from the last to begin before to here.
+        const double earliest = double(i) / 30, latest = earliest + latest_begin;
+        bool is_one = false;
+        for (std::size_t k = 0; k < seen.size(); ++k) {
+            const bool is_over = k + 1 < seen.size() && seen[k + 1].until < earliest;
+            if (seen[k].from > latest || is_over) continue;
+            is_one =
+                is_one ||
+                Picture(video.width, video.height, video.frames[i].pixels).difference_from(seen[k].picture).maximum ==
+                    0;
+        }
+        EXPECT_TRUE(is_one) << "frame " << i;
+    }
+}
+
+TEST_F(ApplicationTest, ARecordingSaysWhatBecameOfIt) {
+    const CurrentFolder here(folder_.path());
+    application_->press("F11");
+    EXPECT_EQ(mistake(Messages::Source::action), "expected a model to record, found none");
+    open_cube();
+    application_->press("F11");
+    EXPECT_EQ(mistake(Messages::Source::action), "");
+    application_->press("F11");
+    application_->press("F11");  // while the first may still be written
+    application_.reset();        // ends the second
+    EXPECT_GE(test_support::decode_video("cube-1.mp4").frames.size(), 1u);
+    EXPECT_GE(test_support::decode_video("cube-2.mp4").frames.size(), 1u);
+}
+
+TEST_F(ApplicationTest, AVideoThatCannotBeIsTold) {
+    Settings settings = application_->settings();
+    settings.video = ".avi";
+    application_ = std::make_unique<Application>(*renderer_, settings);
+    frames();
+    open_cube();
+    application_->press("F11");
+    for (int i = 0; mistake(Messages::Source::action).empty() && i < 2000; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        (void)application_->poll();
+    }
+    EXPECT_EQ(mistake(Messages::Source::action),
+              "cube-1.avi: expected a video ending in .mp4, .webm, .mkv, .gif, found \".avi\"");
 }
 
 TEST_F(ApplicationTest, AFrameOfOnePixelIsDrawn) {

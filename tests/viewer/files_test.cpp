@@ -31,6 +31,7 @@ TEST(SettingsTest, AreReadAsTheyWereWritten) {
     settings.ui_scale = 1.5;
     settings.samples = 9;
     settings.shows_overlay = true;
+    settings.video = ".webm";
     settings.moves = Moves::light;
     settings.light_stays_with = LightStaysWith::world;
     const auto path = folder.path() / "new" / "viewer.toml";
@@ -42,6 +43,7 @@ TEST(SettingsTest, AreReadAsTheyWereWritten) {
     EXPECT_EQ(read.ui_scale, 1.5);
     EXPECT_EQ(read.samples, 9);
     EXPECT_TRUE(read.shows_overlay);
+    EXPECT_EQ(read.video, ".webm");
     EXPECT_EQ(read.moves, Moves::light);
     EXPECT_EQ(read.light_stays_with, LightStaysWith::world);
 }
