@@ -14,20 +14,21 @@ void Overlay::add_frame(double milliseconds) {
     ++drawn_;
 }
 
-void Overlay::measure_passes(Session& session, FrameSize frame) {
+void Overlay::measure_passes(Session& session, FrameSize frame, Detail detail) {
     constexpr double seconds_between = 0.5;
     if (measured_ == drawn_ || ImGui::GetTime() < measured_at_ + seconds_between) return;
     measured_ = drawn_;
     measured_at_ = ImGui::GetTime();
     try {
-        passes_ = session.time_passes(frame);
+        passes_ = session.time_passes(frame, detail);
     } catch (const Error&) {
         passes_.clear();  // the drawing itself tells why
     }
 }
 
-void Overlay::show(float x, float y, Session& session, const Renderer& renderer, FrameSize frame) {
-    measure_passes(session, frame);
+void Overlay::show(float x, float y, Session& session, const Renderer& renderer, FrameSize frame,
+                   std::optional<Detail> detail) {
+    if (detail) measure_passes(session, frame, *detail);
     ImGui::SetNextWindowPos(ImVec2(x, y), ImGuiCond_Always, ImVec2(1, 0));
     ImGui::Begin("overlay", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNav |

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "croquis/renderer.h"
@@ -16,11 +17,13 @@ public:
     void add_frame(double milliseconds);
 
     /// Shows the box, its upper right corner at (x, y). Pass times are measured anew at most twice a second, and only
-    /// after new drawings.
-    void show(float x, float y, Session& session, const Renderer& renderer, FrameSize frame);
+    /// after new drawings, in the detail that the window itself draws with; not
+    /// where it draws nothing.
+    void show(float x, float y, Session& session, const Renderer& renderer, FrameSize frame,
+              std::optional<Detail> detail);
 
 private:
-    void measure_passes(Session& session, FrameSize frame);
+    void measure_passes(Session& session, FrameSize frame, Detail detail);
 
     static constexpr std::size_t frames_kept = 120;
     std::array<float, frames_kept> milliseconds_{};

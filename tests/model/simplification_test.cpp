@@ -2,6 +2,7 @@
 #include "model/simplification.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <set>
@@ -244,6 +245,34 @@ TEST(Simplification, SaysWhatItCannotDo) {
         << held;
     EXPECT_EQ(simplified(ball, ball->triangle_count()), ball);
     EXPECT_EQ(simplified(ball, 1'000'000), ball);
+}
+
+// Every vertex of the rough copy is one of the model's, with its normal; the outline stays to within a cell.
+TEST(Clustering, ARoughCopyKeepsVerticesAndShape) {
+    const ModelPointer model = load_text("ball.obj", sphere(160, 320, 2));
+    const ModelPointer rough = clustered(model, 6000);
+    EXPECT_GT(rough->triangle_count(), 3000u);
+    EXPECT_LT(rough->triangle_count(), 6600u);
+    const auto vertices_of = [](const Mesh& mesh) {
+        std::set<std::array<float, 6>> vertices;
+        for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+            const glm::vec3 &p = mesh.positions[v], &n = mesh.normals[v];
+            vertices.insert({p.x, p.y, p.z, n.x, n.y, n.z});
+        }
+        return vertices;
+    };
+    const auto all = vertices_of(model->meshes[0]), left = vertices_of(rough->meshes[0]);
+    EXPECT_TRUE(std::includes(all.begin(), all.end(), left.begin(), left.end()));
+    expect_within(rough->bounds, model->bounds);
+    const glm::dvec3 direction(1, 2, 3);
+    EXPECT_NEAR(coverage(*rough, model->bounds, direction) / coverage(*model, model->bounds, direction), 1.0, 0.03);
+}
+
+TEST(Clustering, FewTrianglesStayAsTheyAre) {
+    const ModelPointer model = load_text("cube.obj", cube());
+    EXPECT_EQ(clustered(model, 12), model);
+    EXPECT_EQ(clustered(model, 3)->triangle_count(), 12u);
+    EXPECT_THROW(static_cast<void>(clustered(model, 0)), Error);
 }
 
 }  // namespace
