@@ -20,7 +20,7 @@ namespace croquis::viewer {
 class ModelLoader {
 public:
     /// `wake` is called, on another thread, whenever something arrived or a further percent was read.
-    explicit ModelLoader(std::function<void()> wake) : wake_(std::move(wake)) {}
+    explicit ModelLoader(std::function<void()> wake = [] {}) : wake_(std::move(wake)) {}
     /// Cancels, and waits until what is being read has ended.
     ~ModelLoader();
     ModelLoader(const ModelLoader&) = delete;

@@ -433,6 +433,9 @@ TEST_F(ApplicationTest, AFileThatBecameWrongLeavesThePainterWhatWasGood) {
     begin_slowly();
     session().choose_technique("red");
     open_cube();
+    wait_for_files();
+    drag({300, 210}, {380, 150});
+    std::this_thread::sleep_for(std::chrono::milliseconds(350));
     wait_for_painter();
     paint("0.0, nonsense");
     application_->press("Ctrl+R");
@@ -447,6 +450,7 @@ TEST_F(ApplicationTest, AFileThatBecameWrongLeavesThePainterWhatWasGood) {
 
 TEST_F(ApplicationTest, ThumbnailsAreDrawnBesideTheWindow) {
     open_cube();
+    wait_for_files();  // the cube's is new in a folder that is watched
     const Renderer::Counts before = renderer_->counts();
     application_->press("Tab");
     frames(2);

@@ -30,7 +30,7 @@ std::string sheet(int side) {
     return text;
 }
 
-class ModelLoaderTest : public ::testing::Test {
+class LargeModelTest : public ::testing::Test {
 protected:
     // Until so much is read.
     void wait_for(int percent) const {
@@ -39,10 +39,10 @@ protected:
 
     TemporaryFolder folder_;
     const std::string large_ = folder_.write("large.obj", sheet(400)).string();
-    ModelLoader loader_{[] {}};
+    ModelLoader loader_;
 };
 
-TEST_F(ModelLoaderTest, ALargeModelArrivesAndThenItsSmallCopy) {
+TEST_F(LargeModelTest, ALargeModelArrivesAndThenItsSmallCopy) {
     loader_.start(large_, "");
     EXPECT_TRUE(loader_.is_reading());
     std::optional<Model> model, small_copy;
@@ -61,7 +61,11 @@ TEST_F(ModelLoaderTest, ALargeModelArrivesAndThenItsSmallCopy) {
     EXPECT_EQ(loader_.percent(), 100);
 }
 
-TEST_F(ModelLoaderTest, CancellingEndsItSoon) {
+// Soon by the clock of a machine that does nothing else; a busy one takes its share of the time that reading takes.
+TEST_F(LargeModelTest, CancellingEndsItSoon) {
+    const auto start = std::chrono::steady_clock::now();
+    const Model whole = Model::load(large_);
+    const auto soon = 200ms + (std::chrono::steady_clock::now() - start) / 4;
     for (const int percent : {0, 20, 50, 70}) {
         loader_.start(large_, "");
         wait_for(percent);
@@ -70,11 +74,11 @@ TEST_F(ModelLoaderTest, CancellingEndsItSoon) {
         EXPECT_FALSE(loader_.is_reading());
         EXPECT_FALSE(loader_.take());
         EXPECT_TRUE(loader_.stop(10s));
-        EXPECT_LT(std::chrono::steady_clock::now() - begun, 300ms) << percent;
+        EXPECT_LT(std::chrono::steady_clock::now() - begun, soon) << percent;
     }
 }
 
-TEST_F(ModelLoaderTest, AnotherModelTakesThePlaceOfTheFirst) {
+TEST_F(LargeModelTest, AnotherModelTakesThePlaceOfTheFirst) {
     const std::string other = folder_.write("other.obj", sheet(2)).string();
     loader_.start(large_, "");
     wait_for(5);
