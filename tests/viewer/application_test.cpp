@@ -390,6 +390,7 @@ TEST_F(ApplicationTest, TheCopiedCommandAndCameraComeBack) {
 TEST_F(ApplicationTest, WhatMovesGivesUpDetailWhereItIsSlow) {
     begin_slowly();
     open_cube();
+    wait_for_files();  // the cube's is new in a folder that is watched
     wait_for_painter();
     mouse(300, 210, false);
     mouse(300, 210, true);
@@ -413,6 +414,7 @@ TEST_F(ApplicationTest, WhatMovesGivesUpDetailWhereItIsSlow) {
 TEST_F(ApplicationTest, APictureThatComesTooLateIsNotShown) {
     begin_slowly();
     open_cube();
+    wait_for_files();  // the cube's is new in a folder that is watched
     wait_for_painter();
     const Picture before = shown();
     session().set("surfaces.clear_color", "0 0 1");
