@@ -1,5 +1,7 @@
 #include "viewer/painter.h"
 
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <exception>
 #include <utility>
@@ -13,6 +15,13 @@ using Clock = std::chrono::steady_clock;
 
 double milliseconds_since(Clock::time_point begun) {
     return std::chrono::duration<double, std::milli>(Clock::now() - begun).count();
+}
+
+// The window comes first where cores are few. On Linux this is about the thread that calls, and those that the software
+// renderer begins for it.
+void yield_to_the_window() {
+    constexpr int later = 5;
+    static_cast<void>(setpriority(PRIO_PROCESS, 0, later));  // if not, then not
 }
 
 }  // namespace
@@ -195,6 +204,7 @@ void Painter::give_up(const std::string& failure) {
 
 // What is thrown may not be ours, for want of memory for one: the session goes on.
 void Painter::work() {
+    yield_to_the_window();
     std::optional<Studio> studio;
     while (std::optional<Order> order = next_order()) {
         try {
