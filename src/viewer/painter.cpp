@@ -50,7 +50,7 @@ struct Painter::Studio {
         if (is_known && !is_outdated) return kept->technique;
         try {
             Technique opened = renderer.open_technique_text(order.technique, order.text);
-            kept.emplace(order.text, std::move(opened));  // after opening: shaders that both use are not compiled again
+            kept = Kept{order.text, std::move(opened)};  // after opening: shaders that both use are not compiled again
         } catch (const Error&) {
             if (!is_known) throw;
         }
