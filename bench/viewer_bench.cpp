@@ -64,7 +64,7 @@ public:
         do {
             std::this_thread::sleep_for(std::chrono::milliseconds(2));
             frame();
-        } while (application_->loader().is_busy() || application_->wants_frames());
+        } while (application_->is_busy() || application_->wants_frames());
     }
     void mouse(double x, double y, bool is_down) {
         ImGui::GetIO().MousePos = ImVec2(float(x), float(y));

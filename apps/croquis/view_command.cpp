@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cstdlib>
 #include <filesystem>
 
 #include "base/error.h"
@@ -62,7 +64,7 @@ int run(const ViewCommand& options) {
     const viewer::Settings start = starting_settings(options);
     Window window(start.window_width, start.window_height, start.ui_scale);
     Renderer renderer = Renderer::in_current_context(options.common.data_folders);
-    viewer::Application application(renderer, start);
+    viewer::Application application(renderer, start, Window::wake);
     const bool has_model = std::any_of(options.files.begin(), options.files.end(), viewer::Application::is_model);
     if (!has_model) application.open(built_in_model_path(options.common));
     application.open(options.files);
@@ -74,6 +76,8 @@ int run(const ViewCommand& options) {
         settings.window_height = size.height;
     }
     remember(settings, settings_path(options));
+    // What cannot be stopped, a parser that is not ours or a picture of millions of triangles, ends with the program.
+    if (!application.stop(std::chrono::milliseconds(300))) std::quick_exit(0);
     return 0;
 }
 

@@ -142,6 +142,8 @@ void Window::listen() {
     });
 }
 
+void Window::wake() { glfwPostEmptyEvent(); }
+
 Window::Size Window::size() const {
     Size size;
     glfwGetWindowSize(window_, &size.width, &size.height);

@@ -23,6 +23,9 @@ public:
     /// Shows the application until the window is closed. While nothing happens it sleeps.
     void run(viewer::Application& application);
 
+    /// Ends the sleep, from any thread.
+    static void wake();
+
     struct Size {
         int width = 0;
         int height = 0;

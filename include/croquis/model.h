@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -25,6 +26,11 @@ struct Animation {
     double seconds = 0;
 };
 
+/// Called while a model is read, now and then and on the thread that reads, with the share that is done: from 0 to 1,
+/// never less than before. Where it returns false, reading ends soon, with an Error that says "cancelled". Formats that
+/// other libraries parse (all but OBJ, PLY and MD2) tell little and end late: a parser cannot be stopped in its middle.
+using LoadProgress = std::function<bool(double share)>;
+
 /// A model: meshes, materials, textures, animations. It does not change; copies share it.
 class Model {
 public:
@@ -32,7 +38,8 @@ public:
     ///
     /// `texture` is an image for all surfaces in place of the materials' own, the skin of an MD2 for one. Throws Error
     /// for a file that is missing, damaged or without surfaces.
-    [[nodiscard]] static Model load(const std::string& path, const std::string& texture = {});
+    [[nodiscard]] static Model load(const std::string& path, const std::string& texture = {},
+                                    const LoadProgress& progress = {});
 
     /// The endings that `load` reads, each with its dot, in lower case.
     [[nodiscard]] static std::vector<std::string> readable_endings();
@@ -53,6 +60,10 @@ public:
     /// animations are kept; a model of no more triangles comes back as it is. Throws Error where the model cannot do
     /// with so few.
     [[nodiscard]] Model simplified(std::size_t triangles) const;
+
+    /// A rough copy of about so many triangles in a hundredth of the time: vertices in a cell of a grid become one. For
+    /// previews of very large models; neither closedness nor seams are kept. Throws Error where nothing would be left.
+    [[nodiscard]] Model clustered(std::size_t triangles) const;
 
 private:
     friend class Renderer;

@@ -6,9 +6,10 @@
 
 namespace croquis {
 
-Model Model::load(const std::string& path, const std::string& texture) {
+Model Model::load(const std::string& path, const std::string& texture, const LoadProgress& progress) {
     model::LoadOptions options;
     options.texture = texture;
+    options.progress = model::Progress(path, progress);
     return Model(model::load(path, options));
 }
 
@@ -29,6 +30,8 @@ Model Model::subdivided(const std::string& scheme, int levels) const {
 }
 
 Model Model::simplified(std::size_t triangles) const { return Model(model::simplified(model_, triangles)); }
+
+Model Model::clustered(std::size_t triangles) const { return Model(model::clustered(model_, triangles)); }
 
 std::array<double, 3> Model::low_corner() const {
     const glm::dvec3 corner = model_->origin + glm::dvec3(model_->bounds.low);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <assimp/Importer.hpp>
+#include <assimp/ProgressHandler.hpp>
 #include <cctype>
 #include <exception>
 #include <memory>
@@ -40,7 +41,31 @@ std::string one_line(std::string text) {
     return text.empty() ? "damaged file" : text.substr(0, 300);
 }
 
-const aiScene& read_scene(Assimp::Importer& importer, const std::filesystem::path& path, const std::string& ending) {
+/// Passes on what Assimp tells, which some of its readers do and none does often. Nobody heeds what `Update` returns:
+/// a reader that was cancelled goes on to its end.
+class Listening final : public Assimp::ProgressHandler {
+public:
+    explicit Listening(const Progress& progress) : progress_(progress) {}
+
+    bool Update(float share) override {
+        if (!(share > reached_ && share <= 1)) return true;
+        reached_ = share;
+        try {
+            progress_.reach(double(share));
+        } catch (const Error&) {  // to be thrown again when Assimp is done
+            return false;
+        }
+        return true;
+    }
+
+private:
+    Progress progress_;
+    float reached_ = 0;
+};
+
+const aiScene& read_scene(Assimp::Importer& importer, const std::filesystem::path& path, const std::string& ending,
+                          const Progress& progress) {
+    importer.SetProgressHandler(new Listening(progress));  // which the importer owns from now on
     const aiScene* scene = nullptr;
     std::string reason;
     try {
@@ -52,6 +77,7 @@ const aiScene& read_scene(Assimp::Importer& importer, const std::filesystem::pat
     } catch (const std::exception& exception) {
         reason = exception.what();
     }
+    progress.reach(1);
     if (scene == nullptr)
         fail("{}: expected a sound {} file, found: {}", path.string(), ending.substr(1), one_line(reason));
     if (scene->mRootNode == nullptr) fail_without_triangles(path.string(), false);
@@ -67,7 +93,7 @@ public:
           textures_(path),
           nodes_(nodes_of(scene, name_)) {}
 
-    RawModel read() {
+    RawModel read(const Progress& progress) {
         for (std::uint32_t n = 0; n < nodes_.size(); ++n) node_numbers_.try_emplace(nodes_[n].node->mName.C_Str(), n);
         for (std::uint32_t m = 0; m < scene_.mNumMaterials; ++m) {
             raw_.materials.push_back(read_material(*scene_.mMaterials[m], scene_, ending_, name_, textures_));
@@ -75,8 +101,12 @@ public:
         const bool moves = scene_.mNumAnimations > 0;
         for (std::uint32_t n = 0; n < nodes_.size(); ++n) {
             const aiNode& node = *nodes_[n].node;
+            const Progress adding =
+                progress.part(double(n) / double(nodes_.size()), double(n + 1) / double(nodes_.size()));
             for (std::uint32_t i = 0; i < node.mNumMeshes; ++i) {
-                if (node.mMeshes[i] < scene_.mNumMeshes) add_mesh({scene_.mMeshes[node.mMeshes[i]], n}, moves);
+                if (node.mMeshes[i] < scene_.mNumMeshes)
+                    add_mesh({scene_.mMeshes[node.mMeshes[i]], n}, moves,
+                             adding.part(double(i) / node.mNumMeshes, double(i + 1) / node.mNumMeshes));
             }
         }
         if (placed_.empty()) fail_without_triangles(name_, found_other_);
@@ -85,7 +115,7 @@ public:
     }
 
 private:
-    void add_mesh(const PlacedMesh& placed, bool moves) {
+    void add_mesh(const PlacedMesh& placed, bool moves, const Progress& progress) {
         const aiMesh& given = *placed.mesh;
         RawMesh raw;
         Mesh& mesh = raw.mesh;
@@ -104,7 +134,7 @@ private:
         if (ending_ == ".stl") rig.normals.clear();  // one a face there: that is what the winding says already
         place_at_rest(placed, rig, nodes_, mesh);
         read_colors(given, mesh);
-        join_vertices(mesh, &rig);
+        join_vertices(mesh, &rig, progress);
         if (moves) raw_.rig.meshes.push_back(std::move(rig));
         raw_.meshes.push_back(std::move(raw));
         placed_.push_back(placed);
@@ -179,13 +209,14 @@ std::vector<SceneNode> nodes_of(const aiScene& scene, const std::string& name) {
     return nodes;
 }
 
-RawModel read_through_assimp(const std::filesystem::path& path) {
+RawModel read_through_assimp(const std::filesystem::path& path, const Progress& progress) {
     std::string ending = path.extension().string();
     std::transform(ending.begin(), ending.end(), ending.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     check_before_assimp(path, ending);
     Assimp::Importer importer;
-    return SceneReader(read_scene(importer, path, ending), path, ending).read();
+    const aiScene& scene = read_scene(importer, path, ending, progress.part(0, 0.7));
+    return SceneReader(scene, path, ending).read(progress.part(0.7, 1));
 }
 
 }  // namespace croquis::model

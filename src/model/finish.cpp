@@ -211,11 +211,15 @@ void fit_materials(RawModel& raw, const LoadOptions& options) {
 }  // namespace
 
 std::shared_ptr<const Model> finish(RawModel raw, const std::string& name, const LoadOptions& options) {
+    const Progress& progress = options.progress;
+    const Progress dropping = progress.part(0, 0.25);
     Dropped dropped;
     for (RawMesh& one : raw.meshes) drop_impossible(one, dropped);
+    dropping.reach(0);
     if (raw.origin == glm::dvec3(0.0)) move_near_origin(raw);
     fit_rig(raw);
     for (std::size_t m = 0; m < raw.meshes.size(); ++m) {
+        dropping.reach(double(m) / double(raw.meshes.size()));
         RawMesh& one = raw.meshes[m];
         MeshRig* const rig = raw.rig.meshes.empty() ? nullptr : &raw.rig.meshes[m];
         drop_degenerate(one, rig, dropped);
@@ -227,7 +231,8 @@ std::shared_ptr<const Model> finish(RawModel raw, const std::string& name, const
     drop_empty_meshes(raw);
     if (raw.meshes.empty()) fail_all_dropped(dropped, name);
     warn_of_dropped(dropped, name);
-    complete_normals(raw.meshes, raw.rig, options.crease_angle);
+    complete_normals(raw.meshes, raw.rig, options.crease_angle, progress.part(0.25, 0.95));
+    progress.reach(0.95);
     fit_materials(raw, options);
     number_regions(raw.meshes);
     auto model = std::make_shared<Model>();

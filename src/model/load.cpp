@@ -13,7 +13,7 @@ namespace {
 
 struct Format {
     const char* ending;
-    RawModel (*read)(const std::filesystem::path& path);
+    RawModel (*read)(const std::filesystem::path& path, const Progress& progress);
 };
 
 constexpr Format formats[] = {
@@ -28,6 +28,9 @@ constexpr Format formats[] = {
     {".glb", read_through_assimp},
     {".3ds", read_through_assimp},
 };
+
+/// How much of the time reading takes; the rest is for finishing.
+constexpr double reading_share = 0.6;
 
 std::string lower_ending(const std::filesystem::path& path) {
     std::string ending = path.extension().string();
@@ -57,7 +60,13 @@ std::shared_ptr<const Model> load(const std::filesystem::path& path, const LoadO
     for (const Format& format : formats) {
         if (ending != format.ending) continue;
         check_file(path);
-        return finish(format.read(path), path.string(), options);
+        const Progress& progress = options.progress;
+        progress.reach(0);
+        LoadOptions rest = options;
+        rest.progress = progress.part(reading_share, 1);
+        auto model = finish(format.read(path, progress.part(0, reading_share)), path.string(), rest);
+        progress.reach(1);
+        return model;
     }
     fail_ending(path, ending);
 }

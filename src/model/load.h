@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "model/model.h"
+#include "model/progress.h"
 
 namespace croquis::model {
 
@@ -17,6 +18,7 @@ struct LoadOptions {
     float crease_angle = 0.8727f;  // 50 degrees
     /// An image in place of every material's own texture (an MD2's skin, for one); none when empty.
     std::filesystem::path texture;
+    Progress progress;
 };
 
 /// Reads OBJ (+MTL), MD2, OFF, ASE, PLY, STL, glTF 2 (.gltf, .glb), 3DS and VRML 2 (.wrl), by the file's ending, and

@@ -41,14 +41,14 @@ class Md2Reader {
 public:
     Md2Reader(std::span<const std::byte> bytes, const std::string& name) : bytes_(bytes), name_(name) {}
 
-    RawModel read() {
+    RawModel read(const Progress& progress) {
         read_header();
         RawModel raw;
         raw.meshes.resize(1);
         raw.meshes[0].mesh.name = "md2";
         raw.materials.push_back(skin());
         read_triangles(raw.meshes[0].mesh);
-        read_frames(raw);
+        read_frames(raw, progress);
         return raw;
     }
 
@@ -160,10 +160,13 @@ private:
         return shape;
     }
 
-    void read_frames(RawModel& raw) const {
+    void read_frames(RawModel& raw, const Progress& progress) const {
         Mesh& mesh = raw.meshes[0].mesh;
         MeshRig rig;
-        for (std::size_t f = 0; f < header_.frames.count; ++f) rig.shapes.push_back(frame(f));
+        for (std::size_t f = 0; f < header_.frames.count; ++f) {
+            progress.reach(double(f) / double(header_.frames.count));
+            rig.shapes.push_back(frame(f));
+        }
         mesh.positions = rig.shapes[0].positions;
         if (header_.frames.count == 1) return;
         rig.positions = mesh.positions;
@@ -275,11 +278,13 @@ std::filesystem::path guess_skin(const std::filesystem::path& model) {
 
 }  // namespace
 
-RawModel read_md2(std::span<const std::byte> bytes, const std::string& name) { return Md2Reader(bytes, name).read(); }
+RawModel read_md2(std::span<const std::byte> bytes, const std::string& name, const Progress& progress) {
+    return Md2Reader(bytes, name).read(progress);
+}
 
-RawModel read_md2(const std::filesystem::path& path) {
+RawModel read_md2(const std::filesystem::path& path, const Progress& progress) {
     const std::string bytes = read_file(path, largest_file);
-    RawModel raw = read_md2(std::as_bytes(std::span(bytes)), path.string());
+    RawModel raw = read_md2(std::as_bytes(std::span(bytes)), path.string(), progress);
     TextureFinder textures(path);
     Material& material = raw.materials[0];
     const std::string embedded = std::exchange(material.texture_name, {});

@@ -14,6 +14,7 @@ namespace croquis::model {
 ///
 /// Frames are grouped into clips by their names without the digits at the end (`run01` … `run06` are "run"), at 10
 /// frames a second; a clip ends by blending back to its first frame. The z axis, up in the file, becomes y.
-[[nodiscard]] RawModel read_md2(std::span<const std::byte> bytes, const std::string& name);
+[[nodiscard]] RawModel read_md2(std::span<const std::byte> bytes, const std::string& name,
+                                const Progress& progress = {});
 
 }  // namespace croquis::model

@@ -59,17 +59,20 @@ struct Corners {
     }
 };
 
-void sort_around_vertices(Corners& corners) {
+void sort_around_vertices(Corners& corners, const Progress& progress) {
     corners.first_around.assign(corners.points.positions.size() + 1, 0);
     for (const std::uint32_t v : corners.vertex) ++corners.first_around[v + 1];
     for (std::size_t v = 1; v < corners.first_around.size(); ++v)
         corners.first_around[v] += corners.first_around[v - 1];
     std::vector<std::uint32_t> next(corners.first_around.begin(), corners.first_around.end() - 1);
     corners.around.resize(corners.vertex.size());
-    for (std::uint32_t c = 0; c < corners.vertex.size(); ++c) corners.around[next[corners.vertex[c]]++] = c;
+    for (std::uint32_t c = 0; c < corners.vertex.size(); ++c) {
+        reach_now_and_then(progress, c, corners.vertex.size());
+        corners.around[next[corners.vertex[c]]++] = c;
+    }
 }
 
-Corners gather_corners(const std::vector<RawMesh>& meshes) {
+Corners gather_corners(const std::vector<RawMesh>& meshes, const Progress& progress) {
     Corners corners;
     std::vector<std::span<const glm::vec3>> lists;
     std::size_t count = 0;
@@ -77,7 +80,7 @@ Corners gather_corners(const std::vector<RawMesh>& meshes) {
         lists.emplace_back(raw.mesh.positions);
         count += raw.mesh.triangles.size();
     }
-    corners.points = weld_points(lists);
+    corners.points = weld_points(lists, progress.part(0, 0.5));
     corners.vertex.reserve(count);
     for (std::size_t m = 0; m < meshes.size(); ++m) {
         corners.first_of_mesh.push_back(corners.vertex.size());
@@ -86,7 +89,7 @@ Corners gather_corners(const std::vector<RawMesh>& meshes) {
     }
     corners.first_of_mesh.push_back(corners.vertex.size());
     corners.points.ids = {};
-    sort_around_vertices(corners);
+    sort_around_vertices(corners, progress.part(0.6, 0.9));
     corners.face_normal.resize(count / 3);
     parallel_for(count / 3, 4096, [&](std::size_t begin, std::size_t end) {
         for (std::size_t f = begin; f < end; ++f) {
@@ -247,23 +250,27 @@ void complete_rig(MeshRig& rig, const Mesh& mesh, const Corners& corners, std::s
 
 }  // namespace
 
-void complete_normals(std::vector<RawMesh>& meshes, Rig& rig, float crease_angle) {
+void complete_normals(std::vector<RawMesh>& meshes, Rig& rig, float crease_angle, const Progress& progress) {
     const auto rig_of = [&](std::size_t m) { return rig.meshes.empty() ? nullptr : &rig.meshes[m]; };
     bool any = false;
     for (std::size_t m = 0; m < meshes.size(); ++m) any = any || any_missing(meshes[m], rig_of(m));
     if (!any) return;
-    Corners corners = gather_corners(meshes);
+    Corners corners = gather_corners(meshes, progress.part(0, 0.4));
     corners.fan.resize(corners.vertex.size());
     {
         const SmoothEdges is_smooth(meshes, corners, crease_angle);
-        parallel_for(corners.points.positions.size(), 2048, [&](std::size_t begin, std::size_t end) {
+        const auto find_fans = [&](std::size_t begin, std::size_t end) {
             Fans fans;
             for (std::size_t v = begin; v < end; ++v) fans.find(corners, is_smooth, static_cast<std::uint32_t>(v));
-        });
+        };
+        parallel_for_in_slices(corners.points.positions.size(), 2048, progress.part(0.4, 0.7), find_fans);
     }
     corners.face_normal = {};
     for (std::size_t m = 0; m < meshes.size(); ++m) {
         if (!any_missing(meshes[m], rig_of(m))) continue;
+        const double share = double(m) / double(meshes.size());
+        const Progress filling = progress.part(0.7 + 0.3 * share, 1);
+        filling.reach(0);
         const std::size_t first = corners.first_of_mesh[m];
         const std::vector<std::uint32_t> fan = split_by_fans(meshes[m], rig_of(m), corners, first);
         const auto point_of = [&](std::uint32_t c) { return glm::dvec3(corners.points.positions[corners.vertex[c]]); };

@@ -16,6 +16,6 @@ namespace croquis::model {
 /// without groups, where their normals lie within `crease_angle`. A vertex on several fans is split.
 ///
 /// Triangles must be in range and have an area at rest.
-void complete_normals(std::vector<RawMesh>& meshes, Rig& rig, float crease_angle);
+void complete_normals(std::vector<RawMesh>& meshes, Rig& rig, float crease_angle, const Progress& progress = {});
 
 }  // namespace croquis::model

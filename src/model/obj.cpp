@@ -22,11 +22,16 @@ class ObjReader {
 public:
     explicit ObjReader(const std::filesystem::path& path) : lines_(path), name_(path.string()), textures_(path) {}
 
-    RawModel read() {
+    RawModel read(const Progress& progress) {
+        constexpr std::size_t lines_between = 1 << 12;
+        const Progress reading = progress.part(0, 0.9);
         std::string_view line;
-        while (lines_.next(line)) read_line(line);
+        for (std::size_t count = 1; lines_.next(line); ++count) {
+            read_line(line);
+            if (count % lines_between == 0) reading.reach(std::min(lines_.share(), 1.0));
+        }
         if (meshes_.empty()) fail_without_triangles(name_, found_other_ || !lists_.points.empty());
-        return build();
+        return build(progress.part(0.9, 1));
     }
 
 private:
@@ -235,7 +240,7 @@ private:
         }
     }
 
-    RawModel build() {
+    RawModel build(const Progress& progress) {
         RawModel raw;
         glm::dvec3 low(1e300), high(-1e300);
         for (const glm::dvec3& p : lists_.points) {
@@ -244,7 +249,10 @@ private:
         }
         if (!lists_.points.empty() && glm::length(high - low) < 1e18) raw.origin = suitable_origin(low, high);
         raw.tagged_edges = tagged_edges(raw.origin);
-        for (ObjMesh& mesh : meshes_) raw.meshes.push_back(mesh.build(lists_, raw.origin));
+        for (ObjMesh& mesh : meshes_) {
+            progress.reach(double(raw.meshes.size()) / double(meshes_.size()));
+            raw.meshes.push_back(mesh.build(lists_, raw.origin));
+        }
         for (const std::string& used : used_materials_) {
             const auto found = std::find_if(materials_.begin(), materials_.end(),
                                             [&](const Material& material) { return material.name == used; });
@@ -282,6 +290,8 @@ private:
 
 }  // namespace
 
-RawModel read_obj(const std::filesystem::path& path) { return ObjReader(path).read(); }
+RawModel read_obj(const std::filesystem::path& path, const Progress& progress) {
+    return ObjReader(path).read(progress);
+}
 
 }  // namespace croquis::model

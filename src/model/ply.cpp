@@ -57,7 +57,8 @@ int meaning_of(const std::string& name) {
 
 class PlyReader {
 public:
-    explicit PlyReader(const std::filesystem::path& path) : path_(path), name_(path.string()) {}
+    PlyReader(const std::filesystem::path& path, const Progress& progress)
+        : path_(path), name_(path.string()), reading_(progress.part(0, 0.6)), building_(progress.part(0.6, 1)) {}
 
     RawModel read() {
         bytes_ = read_file(path_, largest_file);
@@ -151,6 +152,11 @@ private:
              rest_.size());
     }
 
+    void tell_of_entry(std::uint64_t entry) const {
+        constexpr std::uint64_t entries_between = 1 << 14;
+        if (entry % entries_between == 0) reading_.reach(1.0 - double(rest_.size()) / double(bytes_.size()));
+    }
+
     double next(Type type) {
         if (is_text_) return next_in_text();
         constexpr std::size_t sizes[] = {1, 1, 2, 2, 4, 4, 4, 8};
@@ -223,6 +229,7 @@ private:
         if (!has[0] || !has[1] || !has[2]) fail("{}: expected vertices with x, y and z, found none", name_);
         points_.reserve(element.count);
         for (std::uint64_t i = 0; i < element.count; ++i) {
+            tell_of_entry(i);
             double values[std::size(meanings)] = {};
             for (std::size_t p = 0; p < element.properties.size(); ++p) {
                 if (meaning[p] == no_meaning) {
@@ -251,6 +258,7 @@ private:
 
     void read_faces(const Element& element) {
         for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
+            tell_of_entry(i);
             for (const Property& property : element.properties) {
                 const bool is_face =
                     property.is_list && (property.name == "vertex_indices" || property.name == "vertex_index");
@@ -311,7 +319,8 @@ private:
         mesh_.positions.reserve(points_.size());
         for (const glm::dvec3& p : points_) mesh_.positions.emplace_back(p - raw.origin);
         points_ = {};
-        join_vertices(mesh_);
+        building_.reach(0);
+        join_vertices(mesh_, nullptr, building_);
         raw.meshes.emplace_back();
         raw.meshes[0].mesh = std::move(mesh_);
         raw.materials.push_back(plain_material());
@@ -321,6 +330,7 @@ private:
 
     std::filesystem::path path_;
     std::string name_, texture_;
+    Progress reading_, building_;
     std::string bytes_;
     std::string_view rest_;
     std::vector<Element> elements_;
@@ -335,6 +345,8 @@ private:
 
 }  // namespace
 
-RawModel read_ply(const std::filesystem::path& path) { return PlyReader(path).read(); }
+RawModel read_ply(const std::filesystem::path& path, const Progress& progress) {
+    return PlyReader(path, progress).read();
+}
 
 }  // namespace croquis::model

@@ -14,11 +14,11 @@ namespace croquis::model {
 
 constexpr std::uintmax_t largest_file = std::uintmax_t{4} << 30;
 
-[[nodiscard]] RawModel read_obj(const std::filesystem::path& path);
-[[nodiscard]] RawModel read_md2(const std::filesystem::path& path);
-[[nodiscard]] RawModel read_ply(const std::filesystem::path& path);
-[[nodiscard]] RawModel read_vrml(const std::filesystem::path& path);
-[[nodiscard]] RawModel read_through_assimp(const std::filesystem::path& path);
+[[nodiscard]] RawModel read_obj(const std::filesystem::path& path, const Progress& progress);
+[[nodiscard]] RawModel read_md2(const std::filesystem::path& path, const Progress& progress);
+[[nodiscard]] RawModel read_ply(const std::filesystem::path& path, const Progress& progress);
+[[nodiscard]] RawModel read_vrml(const std::filesystem::path& path, const Progress& progress);
+[[nodiscard]] RawModel read_through_assimp(const std::filesystem::path& path, const Progress& progress);
 
 /// Where a model's origin should be moved to: its centre where 32-bit positions would lose its detail (more than 16
 /// radii away), else zero.

@@ -117,13 +117,31 @@ RenderVertex nearest_in_normal(const Model& model, std::span<const RenderVertex>
                              [&](const RenderVertex& a, const RenderVertex& b) { return agreement(a) < agreement(b); });
 }
 
-/// The model's own vertices under other faces; those without a face go when the model is finished.
-RawModel with_faces(const Model& model, const Wedges& wedges, std::span<const std::uint32_t> faces) {
+/// The model's own vertices without a face; those that get none go when the model is finished.
+RawModel without_faces(const Model& model) {
     RawModel raw;
     for (const Mesh& mesh : model.meshes) {
-        raw.meshes.push_back({mesh, {}});
-        raw.meshes.back().mesh.triangles.clear();
+        raw.meshes.push_back({{.name = mesh.name,
+                               .material = mesh.material,
+                               .region = mesh.region,
+                               .positions = mesh.positions,
+                               .normals = mesh.normals,
+                               .texcoords = mesh.texcoords,
+                               .colors = mesh.colors,
+                               .triangles = {}},
+                              {}});
     }
+    raw.materials = model.materials;
+    raw.clips = model.clips;
+    raw.rig = model.rig;
+    raw.tagged_edges = model.tagged_edges;
+    raw.origin = model.origin;
+    return raw;
+}
+
+/// The model's own vertices under other faces.
+RawModel with_faces(const Model& model, const Wedges& wedges, std::span<const std::uint32_t> faces) {
+    RawModel raw = without_faces(model);
     for (std::size_t i = 0; i < faces.size(); i += 3) {
         const auto& p = wedges.positions;
         const glm::dvec3 normal = area_vector(p[faces[i]], p[faces[i + 1]], p[faces[i + 2]]);
@@ -132,12 +150,20 @@ RawModel with_faces(const Model& model, const Wedges& wedges, std::span<const st
             raw.meshes[v.mesh].mesh.triangles.push_back(v.vertex);
         }
     }
-    raw.materials = model.materials;
-    raw.clips = model.clips;
-    raw.rig = model.rig;
-    raw.tagged_edges = model.tagged_edges;
-    raw.origin = model.origin;
     return raw;
+}
+
+/// A mesh's triangles after its vertices were clustered; all of them where it has few.
+std::vector<std::uint32_t> cluster(const Mesh& mesh, double share) {
+    constexpr std::size_t few = 64;
+    if (mesh.triangle_count() <= few) return mesh.triangles;
+    const auto wanted = std::max(few, static_cast<std::size_t>(share * double(mesh.triangle_count())));
+    std::vector<std::uint32_t> left(mesh.triangles.size());
+    const std::size_t count = meshopt_simplifySloppy(
+        left.data(), mesh.triangles.data(), mesh.triangles.size(), &mesh.positions.front().x, mesh.positions.size(),
+        sizeof(glm::vec3), 3 * wanted, std::numeric_limits<float>::max(), nullptr);
+    left.resize(count);
+    return left;
 }
 
 }  // namespace
@@ -157,6 +183,17 @@ std::shared_ptr<const Model> simplified(const std::shared_ptr<const Model>& mode
             model->name, triangles, left);
     }
     return finish(with_faces(*model, wedges, faces), model->name);
+}
+
+std::shared_ptr<const Model> clustered(const std::shared_ptr<const Model>& model, std::size_t triangles) {
+    if (triangles == 0) fail("expected at least 1 triangle to simplify to, found 0");
+    const std::size_t all = model->triangle_count();
+    if (triangles >= all) return model;
+    RawModel raw = without_faces(*model);
+    for (std::size_t m = 0; m < model->meshes.size(); ++m) {
+        raw.meshes[m].mesh.triangles = cluster(model->meshes[m], double(triangles) / double(all));
+    }
+    return finish(std::move(raw), model->name);
 }
 
 }  // namespace croquis::model

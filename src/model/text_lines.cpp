@@ -15,9 +15,9 @@ TextLines::TextLines(const std::filesystem::path& path) : name_(path.string()), 
     std::error_code error;
     if (!std::filesystem::exists(path, error)) fail("{}: no such file", name_);
     if (std::filesystem::is_directory(path, error)) fail("{}: expected a file, found a folder", name_);
-    if (std::filesystem::file_size(path, error) > largest_file && !error) {
-        fail("{}: larger than the {} bytes allowed here", name_, largest_file);
-    }
+    const std::uintmax_t size = std::filesystem::file_size(path, error);
+    if (!error && size > largest_file) fail("{}: larger than the {} bytes allowed here", name_, largest_file);
+    if (!error) bytes_ = std::max<std::uintmax_t>(size, 1);
     file_.reset(std::fopen(path.c_str(), "rb"));
     if (!file_) fail("{}: cannot open: {}", name_, std::strerror(errno));
     check_start();
@@ -47,6 +47,7 @@ bool TextLines::fill() {
     if (got == 0 && std::ferror(file_.get()) != 0) fail("{}: cannot read: {}", name_, std::strerror(errno));
     if (old_macintosh_) std::replace(buffer_.data() + end_, buffer_.data() + end_ + got, '\r', '\n');
     end_ += got;
+    bytes_read_ += got;
     at_end_ = got == 0;
     return !at_end_;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -23,6 +24,9 @@ public:
     /// The next line, valid until the next call; false at the end.
     [[nodiscard]] bool next(std::string_view& line);
 
+    /// How much of the file was handed out.
+    [[nodiscard]] double share() const { return double(bytes_read_ - (end_ - begin_)) / double(bytes_); }
+
     /// Where the line last read began.
     [[nodiscard]] TextPosition where() const { return {name_, line_number_, 0}; }
 
@@ -37,7 +41,8 @@ private:
     std::string name_;
     std::unique_ptr<std::FILE, Close> file_;
     std::vector<char> buffer_;
-    std::size_t begin_ = 0, end_ = 0;  // what of the buffer is read and not yet handed out
+    std::size_t begin_ = 0, end_ = 0;            // what of the buffer is read and not yet handed out
+    std::uintmax_t bytes_ = 1, bytes_read_ = 0;  // of the file
     std::size_t line_number_ = 0, next_line_number_ = 1;
     bool old_macintosh_ = false;
     bool at_end_ = false;

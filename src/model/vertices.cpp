@@ -87,7 +87,7 @@ void drop_unused_vertices(Mesh& mesh, MeshRig* rig) {
     if (kept.size() < mesh.positions.size()) keep_vertices(mesh, rig, kept, number_of);
 }
 
-void join_vertices(Mesh& mesh, MeshRig* rig) {
+void join_vertices(Mesh& mesh, MeshRig* rig, const Progress& progress) {
     if (rig != nullptr && (!rig->bones.empty() || !rig->shapes.empty())) return;
     for (const std::uint32_t corner : mesh.triangles) {
         if (corner >= mesh.positions.size()) return;  // `finish` sorts that out
@@ -96,6 +96,7 @@ void join_vertices(Mesh& mesh, MeshRig* rig) {
     std::vector<std::uint32_t> slots(std::bit_ceil(std::size_t{count} + count / 2 + 2), unused);
     std::vector<std::uint32_t> number_of(count), kept;
     for (std::uint32_t v = 0; v < count; ++v) {
+        reach_now_and_then(progress, v, count);
         std::size_t slot = hash_of_vertex(mesh, v) & (slots.size() - 1);
         while (slots[slot] != unused && !same_vertex(mesh, kept[slots[slot]], v))
             slot = (slot + 1) & (slots.size() - 1);

@@ -16,6 +16,6 @@ void drop_unused_vertices(Mesh& mesh, MeshRig* rig);
 
 /// Makes one vertex of those that are alike in everything. For readers of formats that repeat vertices. A mesh with
 /// bones or shapes stays as it is; `rig` may be null.
-void join_vertices(Mesh& mesh, MeshRig* rig = nullptr);
+void join_vertices(Mesh& mesh, MeshRig* rig = nullptr, const Progress& progress = {});
 
 }  // namespace croquis::model

@@ -87,7 +87,7 @@ class SceneWalk {
 public:
     explicit SceneWalk(const std::filesystem::path& path) : name_(path.string()), textures_(path) {}
 
-    RawModel read(SoNode* scene) {
+    RawModel read(SoNode* scene, const Progress& progress) {
         SoCallbackAction action;
         action.addPreCallback(SoNode::getClassTypeId(), visit<&SceneWalk::count>, this);
         action.addPreCallback(SoVRMLShape::getClassTypeId(), visit<&SceneWalk::begin_appearance>, this);
@@ -99,7 +99,10 @@ public:
         if (triangles_ > most_triangles)
             fail("{}: expected fewer than {} triangles, found more", name_, most_triangles);
         if (raw_.meshes.empty()) fail_without_triangles(name_, found_other_);
-        for (RawMesh& one : raw_.meshes) complete(one.mesh);
+        for (std::size_t m = 0; m < raw_.meshes.size(); ++m) {
+            progress.reach(double(m) / double(raw_.meshes.size()));
+            complete(raw_.meshes[m].mesh);
+        }
         return std::move(raw_);
     }
 
@@ -271,7 +274,8 @@ Scene read_scene(const std::string& bytes, const std::string& name, const QuietC
 
 }  // namespace
 
-RawModel read_vrml(const std::filesystem::path& path) {
+// Coin parses at one go: only between its stages is there anything to tell.
+RawModel read_vrml(const std::filesystem::path& path, const Progress& progress) {
     const std::string name = path.string();
     const std::string bytes = read_file(path, largest_file);
     check_vrml(bytes, name);
@@ -283,8 +287,10 @@ RawModel read_vrml(const std::filesystem::path& path) {
     }();
     static_cast<void>(ready);
     const QuietCoin coin;
+    progress.reach(0.1);
     const Scene scene = read_scene(bytes, name, coin);
-    return SceneWalk(path).read(scene.get());
+    progress.reach(0.5);
+    return SceneWalk(path).read(scene.get(), progress.part(0.5, 1));
 }
 
 }  // namespace croquis::model

@@ -56,10 +56,11 @@ private:
     std::vector<Slot> slots_;
 };
 
-void add_list(std::span<const glm::vec3> list, Table& table, WeldedPoints& welded) {
+void add_list(std::span<const glm::vec3> list, Table& table, WeldedPoints& welded, const Progress& progress) {
     constexpr std::size_t ahead = 32;
     std::array<std::uint64_t, ahead> hashes;
     for (std::size_t begin = 0; begin < list.size(); begin += ahead) {
+        reach_now_and_then(progress, begin, list.size());
         const auto batch = list.subspan(begin, std::min(ahead, list.size() - begin));
         for (std::size_t i = 0; i < batch.size(); ++i) {
             hashes[i] = hash_of(batch[i] + 0.0f);  // turns -0 into 0
@@ -73,7 +74,7 @@ void add_list(std::span<const glm::vec3> list, Table& table, WeldedPoints& welde
 
 }  // namespace
 
-WeldedPoints weld_points(std::span<const std::span<const glm::vec3>> lists) {
+WeldedPoints weld_points(std::span<const std::span<const glm::vec3>> lists, const Progress& progress) {
     std::size_t total = 0;
     for (const auto list : lists) total += list.size();
     if (total >= no_point) fail("expected fewer than {} vertices, found {}", no_point, total);
@@ -82,8 +83,9 @@ WeldedPoints weld_points(std::span<const std::span<const glm::vec3>> lists) {
     welded.positions.reserve(total);
     Table table(total);
     for (const auto list : lists) {
+        const double done = double(welded.ids.size()) / double(total);
         welded.first_of_list.push_back(welded.ids.size());
-        add_list(list, table, welded);
+        add_list(list, table, welded, progress.part(done, done + double(list.size()) / double(total)));
     }
     if (welded.positions.size() < total / 8 * 7) welded.positions.shrink_to_fit();
     return welded;

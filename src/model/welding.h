@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "model/progress.h"
+
 namespace croquis::model {
 
 /// Lists of points, one a mesh, in which equal positions share a number.
@@ -18,7 +20,8 @@ struct WeldedPoints {
 };
 
 /// Welds points at exactly equal positions; -0 equals 0, and the result holds no -0.
-[[nodiscard]] WeldedPoints weld_points(std::span<const std::span<const glm::vec3>> lists);
+[[nodiscard]] WeldedPoints weld_points(std::span<const std::span<const glm::vec3>> lists,
+                                       const Progress& progress = {});
 
 /// Twice the area times the unit normal, computed in double so that neither tiny nor huge models lose it.
 [[nodiscard]] inline glm::dvec3 area_vector(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {

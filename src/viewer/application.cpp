@@ -29,18 +29,29 @@ std::string ending_of(const std::string& path) {
     return ending;
 }
 
+// Draws as the window does: by the same API, from the same files.
+Renderer::Choice choice_like(const RendererInfo& window) {
+    std::vector<std::string> users_own = window.data_folders;
+    users_own.pop_back();  // the shipped one
+    return {.api = window.api == "OpenGL 3.3" ? "gl" : "gles", .device = {}, .data_folders = std::move(users_own)};
+}
+
 }  // namespace
 
-Application::Application(Renderer& renderer, Settings settings)
+Application::Application(Renderer& renderer, Settings settings, std::function<void()> wake)
     : renderer_(renderer),
       settings_(std::move(settings)),
       session_(renderer),
-      thumbnails_(renderer),
+      loader_(wake),
+      painter_(choice_like(renderer.info()), wake),
+      full_picture_(painter_, session_),
+      thumbnails_(painter_),
       variables_(renderer),
       techniques_(renderer.technique_names()) {
     if (is_sample_count(settings_.samples)) session_.set_samples(settings_.samples);
     session_.arrangement().bind_light(settings_.light_stays_with);
     mouse_.set_inertia(settings_.has_inertia);
+    if (settings_.least_frame_rate > 0) full_picture_.set_most_milliseconds(1000.0 / settings_.least_frame_rate);
     add_commands();
     choose_technique(settings_.technique);
     if (!session_.has_technique() && !techniques_.empty()) choose_technique(techniques_.front());
@@ -142,6 +153,7 @@ void Application::reload_files() {
         messages_.tell(Messages::Source::files, error.what());
     }
     techniques_ = renderer_.technique_names();
+    painter_.reload();
     thumbnails_.restart();
     variables_.forget_textures();
 }
@@ -158,6 +170,7 @@ void Application::take_arrival(ModelLoader::Arrival arrival) {
         } else {
             player_.take(arrival.model->animations());
             session_.show(*arrival.model, arrival.path, arrival.texture);
+            full_picture_.begin_model();
             look_at_whole(View());
         }
         settings_.remember_model(fs::absolute(arrival.path).string());
@@ -166,9 +179,27 @@ void Application::take_arrival(ModelLoader::Arrival arrival) {
     if (arrival.small_copy) session_.take_small_copy(*arrival.small_copy);
 }
 
-bool Application::poll() {
-    if (frame_.width == 0) return true;  // a model is seen in a frame
-    bool is_due = messages_.has_stale_note() || (settings_.shows_overlay && overlay_.is_due());
+void Application::take_delivery(const Painter::Delivery& delivery) {
+    switch (delivery.order.purpose.kind) {
+        case Painter::Purpose::Kind::small_picture:
+            return thumbnails_.take(delivery);
+        case Painter::Purpose::Kind::file:
+            return act([&] {
+                if (!delivery.error.empty()) fail("{}", delivery.error);
+                messages_.note("wrote " + delivery.order.purpose.name);
+            });
+        case Painter::Purpose::Kind::full_picture:
+            if (!full_picture_.take(delivery, frame_, session_, canvas_)) return;
+            if (!delivery.error.empty()) return messages_.tell(Messages::Source::drawing, delivery.error);
+            messages_.mended(Messages::Source::drawing);
+            overlay_.add_frame(delivery.milliseconds);
+            if (recorder_.is_recording()) recorder_.add(shown_picture());
+    }
+}
+
+// What other threads have to say. True where something of it shows.
+bool Application::take_what_arrived() {
+    bool is_due = std::exchange(percent_read_, loader_.percent()) != loader_.percent();
     if (auto arrival = loader_.take()) {
         take_arrival(std::move(*arrival));
         is_due = true;
@@ -177,6 +208,21 @@ bool Application::poll() {
         tell(*outcome);
         is_due = true;
     }
+    while (const auto delivery = painter_.take()) {
+        take_delivery(*delivery);
+        is_due = true;
+    }
+    if (std::exchange(painters_failure_, painter_.failure()) != painter_.failure()) {
+        messages_.note("everything is drawn in the window itself: " + painters_failure_);
+        is_due = true;
+    }
+    return is_due;
+}
+
+bool Application::poll() {
+    if (frame_.width == 0) return true;  // a model is seen in a frame
+    bool is_due = take_what_arrived() || messages_.has_stale_note() || (settings_.shows_overlay && overlay_.is_due());
+    order_thumbnail();
     if (Clock::now() - looked_at_files_ >= time_between_looks) {
         looked_at_files_ = Clock::now();
         if (watch_.has_changed()) {
@@ -190,17 +236,28 @@ bool Application::poll() {
 bool Application::is_moving() const { return mouse_.is_dragging() || mouse_.is_coasting() || player_.is_playing(); }
 
 bool Application::wants_frames() const {
-    return mouse_.is_coasting() || player_.is_playing() || can_draw_thumbnail() || loader_.is_reading() ||
-           recorder_.wants_frame() || session_.is_stale(frame_, Detail::full);
+    return mouse_.is_coasting() || player_.is_playing() || recorder_.wants_frame() ||
+           (full_picture_.is_painters() ? full_picture_.is_due(frame_) : session_.is_stale(frame_, Detail::full));
 }
 
-bool Application::is_slow() const { return full_milliseconds_ * settings_.least_frame_rate > 1000.0; }
+bool Application::is_busy() const { return loader_.is_busy() || painter_.has_work(); }
+
+bool Application::stop(std::chrono::milliseconds patience) {
+    recorder_.finish();
+    const bool has_loader_ended = loader_.stop(patience);
+    return painter_.stop(has_loader_ended ? patience : std::chrono::milliseconds(0)) && has_loader_ended;
+}
 
 bool Application::is_settling() const { return Clock::now() - moved_at_ < time_to_settle; }
 
 // What moves, or is being tuned, gives up detail where it would not keep up; full detail waits until it has come to
-// rest, so that it does not stand in the way of the next drag.
-Detail Application::detail() const { return is_slow() && is_settling() ? Detail::reduced : Detail::full; }
+// rest, so that it does not stand in the way of the next drag. Where there is a painter, that is not for the window,
+// which draws nothing at all before there is less to draw.
+std::optional<Detail> Application::detail() const {
+    const bool is_painters = full_picture_.is_painters();
+    if (is_painters && !full_picture_.can_be_reduced()) return std::nullopt;
+    return is_painters || (full_picture_.is_slow() && is_settling()) ? Detail::reduced : Detail::full;
+}
 
 // The model at rest, whole, in the part of the frame that the panels leave free.
 void Application::look_at_whole(View view) {
@@ -227,11 +284,12 @@ void Application::move_by_mouse() {
 }
 
 void Application::draw_picture() {
-    if (!session_.is_stale(frame_, detail())) return;
-    const Detail asked = detail();
+    if (full_picture_.is_painters() && !is_settling()) full_picture_.order(frame_);
+    const std::optional<Detail> asked = detail();
+    if (!asked || !session_.is_stale(frame_, *asked)) return;
     const auto begun = Clock::now();
     try {
-        session_.draw(canvas_, frame_, asked);
+        session_.draw(canvas_, frame_, *asked);
         canvas_.finish();
         messages_.mended(Messages::Source::drawing);
     } catch (const Error& error) {
@@ -239,19 +297,17 @@ void Application::draw_picture() {
         return;
     }
     const double milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - begun).count();
-    if (asked == Detail::full) full_milliseconds_ = milliseconds;
+    if (asked == Detail::full) full_picture_.measured(milliseconds);
     overlay_.add_frame(milliseconds);
     if (recorder_.is_recording()) recorder_.add(shown_picture());
 }
 
-// None of a large model before its smaller copy is there.
-bool Application::can_draw_thumbnail() const {
-    return thumbnails_.has_work() && session_.model() != nullptr && !loader_.is_busy();
-}
-
-// One a frame, and none while the mouse is busy: each may compile shaders.
-void Application::draw_thumbnail() {
-    if (can_draw_thumbnail() && !is_settling() && !ImGui::IsAnyMouseDown()) thumbnails_.draw_one(session_);
+// One at a time, and none while something moves: the painter takes a core. None of a large model before its smaller
+// copy is there.
+void Application::order_thumbnail() {
+    if (loader_.is_busy() || !full_picture_.can_be_reduced()) return;
+    if (painter_.has_work() || is_settling() || ImGui::IsAnyMouseDown()) return;
+    thumbnails_.order_one(session_);
 }
 
 // Only what the panels leave free: to blend is what the user interface costs on a software renderer.
@@ -275,24 +331,30 @@ void Application::frame(FrameSize pixels) {
     const bool is_tuning = ImGui::IsAnyItemActive() && !io.WantTextInput;
     if (is_moving() || io.MouseWheel != 0 || is_tuning) moved_at_ = Clock::now();
     draw_picture();
-    draw_thumbnail();  // before the panels: what they show must last until they are drawn
     show_panels();
     show_picture();
 }
 
-// drawing-1.png, drawing-2.png, …: the first that is not there yet.
+// drawing-1.png, drawing-2.png, …: the first that is not there yet, and not on its way.
 std::string Application::unused_path(const std::string& ending) const {
     const std::string model = fs::path(session_.model_path()).stem().string();
     std::error_code error;
     for (int number = 1;; ++number) {
         std::string path = fmt::format("{}-{}{}", model.empty() ? "drawing" : model, number, ending);
-        if (!fs::exists(path, error) && !recorder_.is_writing(path)) return path;
+        const bool is_on_its_way =
+            recorder_.is_writing(path) || painter_.has_order({Painter::Purpose::Kind::file, path});
+        if (!fs::exists(path, error) && !is_on_its_way) return path;
     }
 }
 
 void Application::save_picture(bool has_background) {
     const std::string path = unused_path(".png");
-    session_.save_picture(path, frame_, picture_scale_, has_background);
+    const DrawOptions options = session_.picture_options(frame_, picture_scale_, has_background);
+    if (full_picture_.is_painters()) {
+        painter_.order(session_.order({Painter::Purpose::Kind::file, path}, options));
+        return messages_.note("drawing " + path);
+    }
+    session_.save_picture(path, options);
     messages_.note("wrote " + path);
 }
 

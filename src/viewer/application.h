@@ -3,6 +3,8 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,11 +12,13 @@
 #include "viewer/animation_player.h"
 #include "viewer/commands.h"
 #include "viewer/file_watch.h"
+#include "viewer/full_picture.h"
 #include "viewer/magnifier.h"
 #include "viewer/messages.h"
 #include "viewer/model_loader.h"
 #include "viewer/mouse.h"
 #include "viewer/overlay.h"
+#include "viewer/painter.h"
 #include "viewer/recorder.h"
 #include "viewer/session.h"
 #include "viewer/settings.h"
@@ -25,8 +29,10 @@ namespace croquis::viewer {
 
 class Application {
 public:
-    /// `renderer` draws in the context that is current, which must stay so.
-    Application(Renderer& renderer, Settings settings);
+    /// `renderer` draws in the context that is current, which must stay so. `wake` is called, on another thread, when
+    /// something was read or drawn there: `poll` takes it.
+    Application(
+        Renderer& renderer, Settings settings, std::function<void()> wake = [] {});
 
     /// Opens a file by its ending: a model, a technique, or an image as texture of the model that is shown. Anything
     /// else, and whatever is wrong with it, is told in the window.
@@ -50,6 +56,11 @@ public:
     /// True while frames are due without anybody doing anything: something moves, or is still being made.
     [[nodiscard]] bool wants_frames() const;
     [[nodiscard]] bool wants_to_close() const { return wants_to_close_; }
+    /// True while something is being read or drawn on other threads.
+    [[nodiscard]] bool is_busy() const;
+    /// Cancels what other threads do, but for pictures that are being written. False where they still run after so
+    /// long; then only the end of the program ends them: without `stop` the destructor waits.
+    [[nodiscard]] bool stop(std::chrono::milliseconds patience);
 
     /// What to remember.
     [[nodiscard]] Settings settings() const;
@@ -74,6 +85,8 @@ private:
     void watch_files();
     void reload_files();
     void take_arrival(ModelLoader::Arrival arrival);
+    void take_delivery(const Painter::Delivery& delivery);
+    [[nodiscard]] bool take_what_arrived();
     [[nodiscard]] std::string unused_path(const std::string& ending) const;
     void save_picture(bool has_background);
     [[nodiscard]] Picture shown_picture() const;
@@ -85,12 +98,10 @@ private:
     void move_by_mouse();
     void draw_picture();
     void show_picture() const;
-    void draw_thumbnail();
-    [[nodiscard]] bool can_draw_thumbnail() const;
+    void order_thumbnail();
     [[nodiscard]] bool is_moving() const;
-    [[nodiscard]] bool is_slow() const;
     [[nodiscard]] bool is_settling() const;
-    [[nodiscard]] Detail detail() const;
+    [[nodiscard]] std::optional<Detail> detail() const;
 
     // application_panels.cpp
     void show_panels();
@@ -100,6 +111,7 @@ private:
     void show_menu();
     void show_animation();
     void show_reading();
+    void show_drawing(float right);
     void show_save_dialogue();
 
     Renderer& renderer_;
@@ -109,6 +121,8 @@ private:
     Commands commands_;
     Messages messages_;
     ModelLoader loader_;
+    Painter painter_;
+    FullPicture full_picture_;
     FileWatch watch_;
     std::chrono::steady_clock::time_point looked_at_files_;
     Mouse mouse_;
@@ -130,7 +144,8 @@ private:
     bool asks_where_to_save_ = false;
     std::string save_path_;
     std::chrono::steady_clock::time_point moved_at_;
-    double full_milliseconds_ = 0;  // of the last drawing in full detail
+    int percent_read_ = 0;          // that was shown
+    std::string painters_failure_;  // that was told
     int picture_scale_ = 1;         // of pictures that are written
     bool wants_to_close_ = false;
 };

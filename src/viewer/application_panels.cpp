@@ -50,10 +50,11 @@ void Application::show_panels() {
         if (player_.has_clips()) show_animation();
     }
     recorder_.show((settings_.shows_panels ? left_ : 0) + 0.5f * line, 0.5f * line);
+    if (full_picture_.is_awaited()) show_drawing(settings_.shows_panels ? right_ : 0);
     if (loader_.is_reading()) show_reading();
     if (asks_where_to_save_ || ImGui::IsPopupOpen(save_dialogue)) show_save_dialogue();
     const float low = settings_.shows_panels ? left_ : 0, high = display.x - (settings_.shows_panels ? right_ : 0);
-    if (settings_.shows_overlay) overlay_.show(low, high, session_, renderer_, frame_);
+    if (settings_.shows_overlay) overlay_.show(low, high, session_, renderer_, frame_, detail());
     messages_.show(low, high);
     if (shows_help_) show_help_screen(commands_, shows_help_);
     magnifier_.show(canvas_, pixels_a_point_);
@@ -204,8 +205,22 @@ void Application::show_reading() {
     ImGui::Begin("reading", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNav);
     const std::string name = std::filesystem::path(loader_.path()).filename().string();
-    ImGui::Text("reading %s: %.1f s", name.c_str(), loader_.seconds());
+    ImGui::Text("reading %s", name.c_str());
+    ImGui::ProgressBar(float(loader_.percent()) / 100, ImVec2(14 * ImGui::GetFontSize(), 0));
     if (ImGui::Button("cancel")) loader_.cancel();
+    ImGui::End();
+}
+
+// In a corner: meanwhile the picture can be turned in less detail.
+void Application::show_drawing(float right) {
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const float line = ImGui::GetFontSize();
+    ImGui::SetNextWindowPos(ImVec2(display.x - right - 0.5f * line, display.y - 0.5f * line), ImGuiCond_Always,
+                            ImVec2(1, 1));
+    ImGui::Begin("drawing", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNav |
+                     ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoFocusOnAppearing);
+    ImGui::Text("drawing %zu triangles", session_.model()->triangle_count());
     ImGui::End();
 }
 

@@ -24,6 +24,7 @@ struct FrameSize {
     int width = 1;
     int height = 1;
     [[nodiscard]] double aspect() const { return double(width) / double(height); }
+    bool operator==(const FrameSize&) const = default;
 };
 
 /// The object can be turned and moved in the world; so can the camera, and the light about the object. The drawing

@@ -25,4 +25,21 @@ unsigned Canvas::begin(FrameSize size) {
     return drawn_->id();
 }
 
+void Canvas::put(const Picture& picture) {
+    std::vector<std::uint8_t> pixels = picture.pixels();
+    for (std::size_t i = 0; i < pixels.size(); i += 4) {
+        const unsigned alpha = pixels[i + 3];
+        if (alpha == 255) continue;
+        for (std::size_t c = i; c < i + 3; ++c) {
+            pixels[c] = std::uint8_t((pixels[c] * alpha + 255u * (255u - alpha) + 127u) / 255u);
+        }
+        pixels[i + 3] = 255;
+    }
+    const gpu::SavedState saved;
+    const auto color = std::make_shared<gpu::Texture>(*context_, pixels.data(), picture.width(), picture.height(),
+                                                      gpu::Filter::nearest, gpu::Wrap::clamp);
+    drawn_ = std::make_unique<gpu::Framebuffer>(*context_, color, nullptr);
+    keep();
+}
+
 }  // namespace croquis::viewer

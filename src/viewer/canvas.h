@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "croquis/picture.h"
 #include "gpu/framebuffer.h"
 #include "viewer/arrangement.h"
 
@@ -21,6 +22,8 @@ public:
     [[nodiscard]] unsigned begin(FrameSize size);
     /// The drawing is done: it is the picture now.
     void keep() { std::swap(shown_, drawn_); }
+    /// Takes a picture that was drawn elsewhere, laid on white.
+    void put(const Picture& picture);
 
     [[nodiscard]] FrameSize size() const { return {shown_->width(), shown_->height()}; }
     /// For the user interface: the OpenGL texture, its first row the lowest.

@@ -19,19 +19,20 @@ bool Overlay::is_due() const {
     return measured_ != drawn_ && std::chrono::steady_clock::now() >= measured_at_ + between;
 }
 
-void Overlay::measure_passes(Session& session, FrameSize frame) {
+void Overlay::measure_passes(Session& session, FrameSize frame, Detail detail) {
     if (!is_due()) return;
     measured_ = drawn_;
     measured_at_ = std::chrono::steady_clock::now();
     try {
-        passes_ = session.time_passes(frame);
+        passes_ = session.time_passes(frame, detail);
     } catch (const Error&) {
         passes_.clear();  // the drawing itself tells why
     }
 }
 
-void Overlay::show(float low, float high, Session& session, const Renderer& renderer, FrameSize frame) {
-    measure_passes(session, frame);
+void Overlay::show(float low, float high, Session& session, const Renderer& renderer, FrameSize frame,
+                   std::optional<Detail> detail) {
+    if (detail) measure_passes(session, frame, *detail);
     const float line = ImGui::GetFontSize();
     const float room = high - low - line - 2 * ImGui::GetStyle().WindowPadding.x;
     const float width = std::max(line, std::min(16 * line, room));

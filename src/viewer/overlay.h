@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "croquis/renderer.h"
@@ -18,11 +19,13 @@ public:
 
     /// True when pass times are those of an older drawing and may be measured anew: at most twice a second.
     [[nodiscard]] bool is_due() const;
-    /// Shows the box above at the right, between `low` and `high` across. Measures first where that is due.
-    void show(float low, float high, Session& session, const Renderer& renderer, FrameSize frame);
+    /// Shows the box above at the right, between `low` and `high` across. Measures first where that is
+    /// due, in the detail that the window itself draws with; not where it draws nothing.
+    void show(float low, float high, Session& session, const Renderer& renderer, FrameSize frame,
+              std::optional<Detail> detail);
 
 private:
-    void measure_passes(Session& session, FrameSize frame);
+    void measure_passes(Session& session, FrameSize frame, Detail detail);
 
     static constexpr std::size_t frames_kept = 120;
     std::array<float, frames_kept> milliseconds_{};

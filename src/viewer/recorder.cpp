@@ -17,13 +17,15 @@ constexpr ImU32 red = IM_COL32(235, 40, 30, 255);
 
 }  // namespace
 
-// Nobody is there any more who would look at a message in the window.
-Recorder::~Recorder() {
+Recorder::~Recorder() { finish(); }
+
+void Recorder::finish() {
     stop();
     for (const auto& recording : ended_) {
         recording->wait();
         if (!recording->error().empty()) warn(recording->error());
     }
+    ended_.clear();
 }
 
 void Recorder::start(const std::string& path, Picture picture) {

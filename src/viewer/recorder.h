@@ -13,7 +13,6 @@ namespace croquis::viewer {
 class Recorder {
 public:
     Recorder() = default;
-    /// Waits until all videos are written; the one that is being recorded ends here.
     ~Recorder();
     Recorder(const Recorder&) = delete;
     Recorder& operator=(const Recorder&) = delete;
@@ -21,6 +20,9 @@ public:
     /// Begins a video with the picture that is seen. None must be recorded.
     void start(const std::string& path, Picture picture);
     void stop();
+    /// Stops, and waits until all videos are written; what went wrong is a warning, for nobody looks at the window any
+    /// more.
+    void finish();
     [[nodiscard]] bool is_recording() const { return recording_ != nullptr; }
     /// Whether a video of that path is recorded, or still written.
     [[nodiscard]] bool is_writing(const std::string& path) const;

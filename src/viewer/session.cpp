@@ -72,6 +72,10 @@ void Session::match_wireframe(OpenTechnique& opened, bool has_wireframe) {
     opened.with_edges = renderer_.open_technique_text(technique.name(), technique.text() + wireframe_pass);
 }
 
+const Technique& Session::drawn_technique() const {
+    return current().with_edges ? *current().with_edges : current().technique;
+}
+
 Technique& Session::drawn_technique() { return current().with_edges ? *current().with_edges : current().technique; }
 
 void Session::choose_technique(const std::string& name_or_path) {
@@ -163,31 +167,46 @@ DrawOptions Session::options(FrameSize size) const {
     return options;
 }
 
+DrawOptions Session::options_in(Detail detail, FrameSize size) const {
+    DrawOptions options = this->options(size);
+    if (detail == Detail::reduced) options.samples = 1;
+    return options;
+}
+
 bool Session::is_stale(FrameSize size, Detail detail) const {
     if (!model_ || !has_technique()) return false;
-    return drawn_.revision != revision_ || drawn_.size.width != size.width || drawn_.size.height != size.height ||
-           drawn_.detail != detail;
+    return drawn_.revision != revision_ || drawn_.size != size ||
+           (detail == Detail::full && drawn_.detail == Detail::reduced);
+}
+
+Painter::Order Session::order(const Painter::Purpose& purpose, const DrawOptions& options) const {
+    return {.purpose = purpose,
+            .technique = drawn_technique().name(),
+            .text = drawn_technique().text(),
+            .model = *model_,
+            .options = options,
+            .revision = revision_};
 }
 
 void Session::draw(Canvas& canvas, FrameSize size, Detail detail) {
-    drawn_ = {revision_, size, detail};
-    DrawOptions options = this->options(size);
-    const bool is_reduced = detail == Detail::reduced;
-    if (is_reduced) options.samples = 1;
-    const Model& model = is_reduced ? *small_model() : *model_;
-    renderer_.draw_into(canvas.begin(size), model, drawn_technique(), options);
+    note_drawn(size, detail);
+    renderer_.draw_into(canvas.begin(size), model_in(detail), drawn_technique(), options_in(detail, size));
     canvas.keep();
 }
 
-std::vector<PassTime> Session::time_passes(FrameSize size) {
+std::vector<PassTime> Session::time_passes(FrameSize size, Detail detail) {
     if (!model_ || !has_technique()) return {};
-    return renderer_.time_passes(*model_, drawn_technique(), options(size));
+    return renderer_.time_passes(model_in(detail), drawn_technique(), options_in(detail, size));
 }
 
-void Session::save_picture(const std::string& path, FrameSize frame, int scale, bool has_background) {
+DrawOptions Session::picture_options(FrameSize frame, int scale, bool has_background) const {
     if (!model_ || !has_technique()) fail("expected a model and a technique to draw, found none");
     DrawOptions options = this->options({frame.width * scale, frame.height * scale});
     if (!has_background) options.background = Background{.color = {1, 1, 1}, .transparent = true, .texture = {}};
+    return options;
+}
+
+void Session::save_picture(const std::string& path, const DrawOptions& options) {
     renderer_.draw(*model_, drawn_technique(), options).save(path);
 }
 

@@ -9,6 +9,7 @@
 #include "croquis/renderer.h"
 #include "viewer/arrangement.h"
 #include "viewer/canvas.h"
+#include "viewer/painter.h"
 
 namespace croquis::viewer {
 
@@ -83,15 +84,24 @@ public:
     // ---- Pictures
 
     [[nodiscard]] DrawOptions options(FrameSize size) const;
-    /// True when a drawing of this size would not be the one that `draw` made last.
+    /// Grows with everything that shows in the picture.
+    [[nodiscard]] long long revision() const { return revision_; }
+    /// True when a drawing of this size would not be the one that was made last. A full one serves for a reduced one.
     [[nodiscard]] bool is_stale(FrameSize size, Detail detail) const;
+    /// What a painter needs to draw the model and the technique as they are now.
+    [[nodiscard]] Painter::Order order(const Painter::Purpose& purpose, const DrawOptions& options) const;
+    /// A picture of now was drawn elsewhere, or could not be.
+    void note_drawn(FrameSize size, Detail detail) { drawn_ = {revision_, size, detail}; }
     /// Draws a picture of that size on the canvas. Throws Error; the canvas keeps its last picture then, and it is not
     /// tried again until something changes.
     void draw(Canvas& canvas, FrameSize size, Detail detail);
     /// What each pass of such a frame takes.
-    [[nodiscard]] std::vector<PassTime> time_passes(FrameSize size);
-    /// A picture `scale` times as large as the frame, written as PNG. Throws Error.
-    void save_picture(const std::string& path, FrameSize frame, int scale, bool has_background);
+    [[nodiscard]] std::vector<PassTime> time_passes(FrameSize size, Detail detail);
+    /// For a picture `scale` times as large as the frame, that is to be kept. Throws Error where there is nothing to
+    /// draw.
+    [[nodiscard]] DrawOptions picture_options(FrameSize frame, int scale, bool has_background) const;
+    /// Draws a picture and writes it as PNG. Throws Error.
+    void save_picture(const std::string& path, const DrawOptions& options);
     /// The command that draws the same picture to a file.
     [[nodiscard]] std::string command_line(FrameSize frame) const;
 
@@ -108,6 +118,11 @@ private:
     [[nodiscard]] OpenTechnique& current() { return open_.at(technique_name_); }
     [[nodiscard]] const OpenTechnique& current() const { return open_.at(technique_name_); }
     [[nodiscard]] Technique& drawn_technique();
+    [[nodiscard]] const Technique& drawn_technique() const;
+    [[nodiscard]] DrawOptions options_in(Detail detail, FrameSize size) const;
+    [[nodiscard]] const Model& model_in(Detail detail) const {
+        return detail == Detail::full ? *model_ : *small_model();
+    }
     void touch() { ++revision_; }
 
     Renderer& renderer_;
@@ -123,7 +138,7 @@ private:
     std::string animation_;
     double seconds_ = 0;
 
-    long long revision_ = 0;  // grows with everything that shows
+    long long revision_ = 0;
     struct Drawn {
         long long revision = -1;
         FrameSize size{0, 0};

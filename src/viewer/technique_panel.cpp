@@ -20,7 +20,7 @@ void show_hint(const Thumbnails::Known& known) {
 std::optional<std::string> show_techniques(const std::vector<std::string>& names, const Session& session,
                                            Thumbnails& thumbnails, bool scroll_to_chosen) {
     std::optional<std::string> clicked;
-    const float height = 3.2f * ImGui::GetFontSize();
+    const float height = 4.2f * ImGui::GetFontSize();
     const ImVec2 picture(height * float(Thumbnails::size.aspect()), height);
     for (const std::string& name : names) {
         ImGui::PushID(name.c_str());

@@ -2,8 +2,10 @@
 #include "model/simplification.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <set>
 #include <vector>
 
@@ -244,6 +246,35 @@ TEST(Simplification, SaysWhatItCannotDo) {
         << held;
     EXPECT_EQ(simplified(ball, ball->triangle_count()), ball);
     EXPECT_EQ(simplified(ball, 1'000'000), ball);
+}
+
+// Every vertex of the rough copy is one of the model's, with its normal; the outline stays to within a cell.
+TEST(Clustering, ARoughCopyKeepsVerticesAndShape) {
+    const ModelPointer model = load_text("ball.obj", sphere(160, 320, 2));
+    const ModelPointer rough = clustered(model, 6000);
+    EXPECT_GT(rough->triangle_count(), 3000u);
+    EXPECT_LT(rough->triangle_count(), 6600u);
+    std::map<std::array<float, 3>, glm::vec3> normals;  // by place: the sphere has one vertex at each
+    for (std::size_t v = 0; v < model->meshes[0].positions.size(); ++v) {
+        const glm::vec3& p = model->meshes[0].positions[v];
+        normals[{p.x, p.y, p.z}] = model->meshes[0].normals[v];
+    }
+    for (std::size_t v = 0; v < rough->meshes[0].positions.size(); ++v) {
+        const glm::vec3& p = rough->meshes[0].positions[v];
+        const auto found = normals.find({p.x, p.y, p.z});
+        ASSERT_NE(found, normals.end());
+        EXPECT_LT(glm::distance(found->second, rough->meshes[0].normals[v]), 1e-6f);
+    }
+    expect_within(rough->bounds, model->bounds);
+    const glm::dvec3 direction(1, 2, 3);
+    EXPECT_NEAR(coverage(*rough, model->bounds, direction) / coverage(*model, model->bounds, direction), 1.0, 0.03);
+}
+
+TEST(Clustering, FewTrianglesStayAsTheyAre) {
+    const ModelPointer model = load_text("cube.obj", cube());
+    EXPECT_EQ(clustered(model, 12), model);
+    EXPECT_EQ(clustered(model, 3)->triangle_count(), 12u);
+    EXPECT_THROW(static_cast<void>(clustered(model, 0)), Error);
 }
 
 }  // namespace
