@@ -1,6 +1,7 @@
 // Drawing: a renderer owns what techniques share; a technique draws models.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
@@ -45,10 +46,11 @@ private:
     std::unique_ptr<Opened> opened_;
 };
 
-/// How long a pass took.
+/// How long a pass took, and how many lines it drew that were found on the model.
 struct PassTime {
     std::string pass;
     double milliseconds = 0;
+    std::size_t lines = 0;
 };
 
 /// What a renderer draws with.

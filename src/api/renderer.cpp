@@ -240,9 +240,12 @@ std::vector<PassTime> Renderer::time_passes(const Model& model, Technique& techn
     gpu::StretchTimer timer(*state_->context);
     state_->draw_frame(model.model_, technique.opened_->technique, options, &timer);
     const std::vector<double> milliseconds = timer.milliseconds();
-    const std::vector<std::string> names = technique.pass_names();
+    const framework::Technique& drawn = technique.opened_->technique;
+    const std::vector<std::string> names = drawn.pass_names();
     std::vector<PassTime> times;
-    for (std::size_t i = 0; i < names.size(); ++i) times.push_back({names[i], milliseconds[i]});
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        times.push_back({names[i], milliseconds[i], drawn.line_count(names[i])});
+    }
     return times;
 }
 

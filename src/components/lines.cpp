@@ -86,11 +86,15 @@ public:
         update_drafter(subject);
         lines::Drawing drawing = drafter_->draw(subject.view);
         leave_out(subject, drawing);
+        line_count_ = drawing.lines.size();
         lines::StrokeOptions options = subject.settings->strokes;
         options.light = glm::vec3(subject.light);  // of a point light: as the model's centre sees it
         options.seed = subject.seed;
         return triangles_of(lines::make_strokes(drawing, options), float(subject.pixel_scale), aspect);
     }
+
+    /// Of the last drawing.
+    [[nodiscard]] std::size_t line_count() const { return line_count_; }
 
 private:
     void update_drafter(const Subject& subject) {
@@ -116,6 +120,7 @@ private:
     std::shared_ptr<const lines::Surface> surface_;
     std::shared_ptr<const model::Pose> pose_;
     std::optional<lines::Drafter> drafter_;
+    std::size_t line_count_ = 0;
 };
 
 class Lines final : public framework::Component {
@@ -150,6 +155,8 @@ protected:
         gpu::apply({.blend = blend == gpu::Blend::over ? gpu::Blend::over_premultiplied : blend});
         for (const StrokePart& part : triangles_.parts) draw(context, part);
     }
+
+    [[nodiscard]] std::size_t lines_drawn() const override { return line_count_; }
 
 private:
     // A set of settings is never changed, for another thread may be reading it.
@@ -190,6 +197,7 @@ private:
             subject_.reset();  // the next frame tries again
             throw;
         }
+        line_count_ = maker_.line_count();
         geometry_ = components::upload(context.resources.gpu(), triangles_);
         triangles_.corners = {};
         triangles_.indices = {};
@@ -219,6 +227,7 @@ private:
     std::optional<Subject> subject_;  // what the triangles show
     bool is_uploaded_ = false;
     std::unique_ptr<gpu::Geometry> geometry_;
+    std::size_t line_count_ = 0;
 
     // The other thread's, until it was waited for. The work goes first when all this goes: it uses the others.
     StrokeMaker maker_;

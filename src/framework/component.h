@@ -1,6 +1,7 @@
 // Components: the kinds of pass. Each is a class with a render function, made for one pass (seed C, 2.3.1).
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <memory>
@@ -33,6 +34,9 @@ public:
     /// and not in a frame. When it throws, the change is taken back.
     virtual void variable_changed(std::string_view /*name*/) {}
 
+    /// How many lines found on the model its last frame drew; 0 for passes that find none.
+    [[nodiscard]] std::size_t line_count() const { return render_.value() ? lines_drawn() : 0; }
+
 protected:
     explicit Component(const Pass& pass) : pass_(pass), render_(pass.variable<bool>("render")) {}
 
@@ -41,6 +45,8 @@ protected:
     virtual void prepare(RenderContext& /*context*/) {}
 
     virtual void render(RenderContext& context) = 0;
+
+    [[nodiscard]] virtual std::size_t lines_drawn() const { return 0; }
 
     const Pass& pass_;
 

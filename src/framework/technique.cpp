@@ -53,6 +53,8 @@ TechniqueDefinition Technique::definition() const {
     return definition;
 }
 
+std::size_t Technique::line_count(std::string_view pass) const { return step(pass).component->line_count(); }
+
 void Technique::set(std::string_view pass, std::string_view variable, const Value& value) {
     const Step& changed = step(pass);
     const bool exists = changed.pass->has(variable);

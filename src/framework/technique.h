@@ -1,6 +1,7 @@
 // An open technique: its passes with their components, ready to draw.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -29,6 +30,8 @@ public:
     [[nodiscard]] std::vector<std::string> pass_names() const;
     /// Throws Error with the nearest name.
     [[nodiscard]] const Pass& pass(std::string_view name) const;
+    /// How many lines found on the model the pass drew in the last frame. Throws Error as `pass`.
+    [[nodiscard]] std::size_t line_count(std::string_view pass) const;
 
     /// The technique as a file would have it, with the values of now.
     [[nodiscard]] TechniqueDefinition definition() const;

@@ -46,7 +46,12 @@ void Overlay::show(float low, float high, Session& session, const Renderer& rend
     const float longest = *std::max_element(milliseconds_.begin(), milliseconds_.end());
     ImGui::PlotHistogram("##frames", milliseconds_.data(), int(frames_kept), int(next_), nullptr, 0, longest,
                          ImVec2(width, 2.5f * line));
-    for (const PassTime& pass : passes_) ImGui::Text("%8.2f ms  %s", pass.milliseconds, pass.pass.c_str());
+    for (const PassTime& pass : passes_) {
+        ImGui::Text("%8.2f ms  %s", pass.milliseconds, pass.pass.c_str());
+        if (pass.lines == 0) continue;
+        ImGui::SameLine();
+        ImGui::TextDisabled("%zu lines", pass.lines);
+    }
     if (const Model* model = session.model()) {
         ImGui::Text("%zu triangles in %zu meshes", model->triangle_count(), model->mesh_count());
     }

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "api/shapes.h"
+#include "croquis/lines.h"
 
 namespace croquis {
 namespace {
@@ -114,7 +115,27 @@ TEST(Lifetime, PassesAreTimedByName) {
     ASSERT_EQ(times.size(), 2u);
     EXPECT_EQ(times[0].pass, "attributes");
     EXPECT_EQ(times[1].pass, "edges");
-    for (const PassTime& time : times) EXPECT_GT(time.milliseconds, 0.0) << time.pass;
+    for (const PassTime& time : times) {
+        EXPECT_GT(time.milliseconds, 0.0) << time.pass;
+        EXPECT_EQ(time.lines, 0u) << "found in the picture";
+    }
+}
+
+TEST(Lifetime, PassesTellHowManyLinesTheyDrew) {
+    Renderer renderer = Renderer::headless();
+    Technique technique = renderer.open_technique("lines");
+    const auto lines = [&] {
+        std::size_t count = 0;
+        for (const PassTime& time : renderer.time_passes(cube_file(), technique, small())) count += time.lines;
+        return count;
+    };
+    LineOptions on_paper;
+    on_paper.width = small().width;
+    on_paper.height = small().height;
+    on_paper.view = small().view;
+    EXPECT_EQ(lines(), draw_lines(cube_file(), on_paper).paths().size());
+    technique.set("lines.render", "false");
+    EXPECT_EQ(lines(), 0u);
 }
 
 }  // namespace
