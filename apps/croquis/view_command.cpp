@@ -46,7 +46,6 @@ viewer::Settings starting_settings(const ViewCommand& options) {
         fail("--ui-scale: expected a number from {} to {}, found {}", Window::least_scale, Window::most_scale,
              options.ui_scale);
     }
-    if (options.ui_scale != 0) settings.ui_scale = options.ui_scale;
     return settings;
 }
 
@@ -62,7 +61,8 @@ void remember(const viewer::Settings& settings, const std::filesystem::path& pat
 
 int run(const ViewCommand& options) {
     const viewer::Settings start = starting_settings(options);
-    Window window(start.window_width, start.window_height, start.ui_scale);
+    const double scale = options.ui_scale != 0 ? options.ui_scale : start.ui_scale;  // one of this time alone
+    Window window(start.window_width, start.window_height, scale);
     Renderer renderer = Renderer::in_current_context(options.common.data_folders);
     viewer::Application application(renderer, start, Window::wake);
     const bool has_model = std::any_of(options.files.begin(), options.files.end(), viewer::Application::is_model);

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <csignal>
 #include <string_view>
 #include <utility>
 
@@ -67,6 +68,9 @@ bool is_for_text(const std::string& key, int modifiers) {
     if (key == "Escape") return false;
     return (modifiers & GLFW_MOD_CONTROL) == 0 || key.size() != 1 || editing.find(key) != std::string_view::npos;
 }
+
+// Ctrl+C in the terminal closes the window as its cross does: what is being recorded is ended well.
+volatile std::sig_atomic_t is_asked_to_end = 0;
 
 std::string last_glfw_error() {
     const char* text = nullptr;
@@ -177,9 +181,10 @@ void Window::draw_frame(viewer::Application& application) {
 
 void Window::run(viewer::Application& application) {
     application_ = &application;
+    for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { is_asked_to_end = 1; });
     frames_due_ = frames_after_event;
     bool has_frames = true;
-    while (glfwWindowShouldClose(window_) == GLFW_FALSE && !application.wants_to_close()) {
+    while (glfwWindowShouldClose(window_) == GLFW_FALSE && !application.wants_to_close() && is_asked_to_end == 0) {
         if (frames_due_ > 0 && has_frames)
             glfwPollEvents();
         else
@@ -192,6 +197,7 @@ void Window::run(viewer::Application& application) {
         draw_frame(application);
     }
     application_ = nullptr;
+    glfwHideWindow(window_);  // what is still being written needs it no more
 }
 
 }  // namespace croquis::app

@@ -42,9 +42,12 @@ private:
     bool is_begun_ = false;  // the file, and not ended
 };
 
+// A name with a colon would be taken for a protocol.
+std::string url_of(const std::string& file) { return "file:" + file; }
+
 Owned<AVFormatContext> new_file(const EncoderTarget& target, const char* container) {
     AVFormatContext* file = nullptr;
-    checked(avformat_alloc_output_context2(&file, nullptr, container, target.file.c_str()),
+    checked(avformat_alloc_output_context2(&file, nullptr, container, url_of(target.file).c_str()),
             fmt::format("{}: cannot write {}", target.name, container));
     return owned(file);
 }
@@ -102,7 +105,7 @@ void FileEncoder::open_file(const std::string& path) {
     if (const auto& [option, value] = format_.container_option; option != nullptr) {
         checked(av_opt_set(file_->priv_data, option, value, 0), name_);
     }
-    checked(avio_open(&file_->pb, path.c_str(), AVIO_FLAG_WRITE), name_);
+    checked(avio_open(&file_->pb, url_of(path).c_str(), AVIO_FLAG_WRITE), name_);
     checked(avformat_write_header(file_.get(), nullptr), name_);
     is_begun_ = true;
 }

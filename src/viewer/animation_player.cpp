@@ -58,10 +58,11 @@ bool AnimationPlayer::show() {
     float seconds = float(seconds_), speed = float(speed_);
     const float length = chosen_ < 0 ? 0 : float(clips_[std::size_t(chosen_)].seconds);
     ImGui::SetNextItemWidth(18 * line);
-    if (ImGui::SliderFloat("##moment", &seconds, 0, length, "%.2f s")) seconds_ = double(seconds);
+    if (ImGui::SliderFloat("##moment", &seconds, 0, length, "%.2f s", ImGuiSliderFlags_AlwaysClamp))
+        seconds_ = double(seconds);
     ImGui::SameLine();
     ImGui::SetNextItemWidth(8 * line);
-    if (ImGui::SliderFloat("speed", &speed, 0.1f, 3, "%.1f x")) speed_ = double(speed);
+    if (ImGui::SliderFloat("speed", &speed, 0.1f, 3, "%.1f x", ImGuiSliderFlags_AlwaysClamp)) speed_ = double(speed);
     return chosen_ != chosen_before || seconds_ != seconds_before;
 }
 

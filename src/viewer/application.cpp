@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <exception>
 #include <filesystem>
 #include <utility>
 
 #include "base/error.h"
+#include "base/log.h"
 #include "viewer/command_line.h"
 
 namespace croquis::viewer {
@@ -54,7 +56,19 @@ Application::Application(Renderer& renderer, Settings settings, std::function<vo
     if (settings_.least_frame_rate > 0) full_picture_.set_most_milliseconds(1000.0 / settings_.least_frame_rate);
     add_commands();
     choose_technique(settings_.technique);
-    if (!session_.has_technique() && !techniques_.empty()) choose_technique(techniques_.front());
+    choose_any_technique();
+}
+
+// In place of one that cannot be opened, which was told and stays told.
+void Application::choose_any_technique() {
+    for (std::size_t i = 0; !session_.has_technique() && i < techniques_.size(); ++i) {
+        try {
+            session_.choose_technique(techniques_[i]);
+            watch_files();
+        } catch (const std::exception& error) {
+            note(error.what());
+        }
+    }
 }
 
 Settings Application::settings() const {
@@ -65,12 +79,12 @@ Settings Application::settings() const {
     return settings;
 }
 
-// Whatever goes wrong is told, and told no more once the next deed succeeds.
+// Whatever goes wrong is told, want of memory too, and told no more once the next deed succeeds.
 void Application::act(const std::function<void()>& deed) {
     try {
         deed();
         messages_.mended(Messages::Source::action);
-    } catch (const Error& error) {
+    } catch (const std::exception& error) {
         messages_.tell(Messages::Source::action, error.what());
     }
 }
@@ -137,8 +151,9 @@ void Application::watch_files() {
         places.push_back(technique);
         std::error_code error;
         const fs::path folder = technique.has_parent_path() ? technique.parent_path() : fs::path(".");
-        for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
-            if (entry.path().extension() == ".technique") places.push_back(entry.path());
+        fs::directory_iterator entry(folder, error);
+        for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+            if (entry->path().extension() == ".technique") places.push_back(entry->path());
         }
     }
     watch_.watch(places);
@@ -149,10 +164,11 @@ void Application::reload_files() {
         session_.reload();
         messages_.mended(Messages::Source::files);
         messages_.mended(Messages::Source::drawing);
-    } catch (const Error& error) {
+    } catch (const std::exception& error) {
         messages_.tell(Messages::Source::files, error.what());
     }
     techniques_ = renderer_.technique_names();
+    choose_any_technique();
     painter_.reload();
     thumbnails_.restart();
     variables_.forget_textures();
@@ -161,6 +177,11 @@ void Application::reload_files() {
 void Application::take_arrival(ModelLoader::Arrival arrival) {
     if (!arrival.error.empty()) {
         messages_.tell(Messages::Source::model, arrival.error);
+        // A bad image does not cost the model that it was to lie on.
+        if (!arrival.texture.empty() && arrival.path != session_.model_path()) {
+            messages_.tell(Messages::Source::action, arrival.error);
+            loader_.start(arrival.path, "");
+        }
         return;
     }
     if (arrival.model) {
@@ -173,7 +194,9 @@ void Application::take_arrival(ModelLoader::Arrival arrival) {
             full_picture_.begin_model();
             look_at_whole(View());
         }
-        settings_.remember_model(fs::absolute(arrival.path).string());
+        std::error_code error;  // a working folder that is gone
+        const fs::path whole = fs::absolute(arrival.path, error);
+        settings_.remember_model(error ? arrival.path : whole.string());
         thumbnails_.restart();
     }
     if (arrival.small_copy) session_.take_small_copy(*arrival.small_copy);
@@ -292,7 +315,7 @@ void Application::draw_picture() {
         session_.draw(canvas_, frame_, *asked);
         canvas_.finish();
         messages_.mended(Messages::Source::drawing);
-    } catch (const Error& error) {
+    } catch (const std::exception& error) {
         messages_.tell(Messages::Source::drawing, error.what());
         return;
     }
@@ -362,7 +385,7 @@ Picture Application::shown_picture() const { return {canvas_.size().width, canva
 
 void Application::record() {
     if (recorder_.is_recording()) return recorder_.stop();
-    if (session_.model() == nullptr) fail("expected a model to record, found none");
+    if (!canvas_.has_picture()) fail("expected a picture to record, found none yet");
     recorder_.start(unused_path(settings_.video), shown_picture());
 }
 

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -81,6 +82,7 @@ private:
 
     void act(const std::function<void()>& deed);
     void choose_technique(const std::string& name_or_path);
+    void choose_any_technique();
     void step_technique(int step);
     void watch_files();
     void reload_files();
@@ -143,6 +145,8 @@ private:
     bool shows_help_ = false;
     bool asks_where_to_save_ = false;
     std::string save_path_;
+    std::string saved_technique_;    // for which the path was suggested
+    std::set<std::string> written_;  // techniques: those may be replaced unasked
     std::chrono::steady_clock::time_point moved_at_;
     int percent_read_ = 0;          // that was shown
     std::string painters_failure_;  // that was told

@@ -34,7 +34,7 @@ void Application::add_view_commands() {
     commands_.add(
         {"Window", "Back", {"Escape"}, "Closes this screen and other questions, and takes note of a mistake.", [this] {
              shows_help_ = asks_where_to_save_ = false;
-             messages_.mended(Messages::Source::action);
+             messages_.close();
          }});
     commands_.add({"Window",
                    "Panels",

@@ -120,7 +120,7 @@ void Application::show_tuning_panel(float width) {
     ImGui::TextWrapped("%s", session_.technique_help().c_str());
     ImGui::PopStyleColor();
     if (ImGui::Button("save as technique")) asks_where_to_save_ = true;
-    if (next_button("copy command")) commands_.run("Copy the command");
+    if (next_button("copy command")) act([this] { commands_.run("Copy the command"); });
     ImGui::BeginChild("variables");
     if (ImGui::CollapsingHeader("view and light")) show_view_settings();
     if (session_.has_technique()) variables_.show(session_, messages_);
@@ -155,7 +155,7 @@ void Application::show_view_settings() {
     bool is_parallel = arrangement.is_parallel();
     if (ImGui::Checkbox("parallel projection", &is_parallel)) session_.arrangement().set_parallel(is_parallel);
     float degrees = float(arrangement.field_of_view());
-    if (ImGui::SliderFloat("field of view", &degrees, 5, 120, "%.0f°")) {
+    if (ImGui::SliderFloat("field of view", &degrees, 5, 120, "%.0f°", ImGuiSliderFlags_AlwaysClamp)) {
         session_.arrangement().set_field_of_view(double(degrees));
     }
     if (ImGui::BeginCombo("samples", fmt::format("{}", session_.samples()).c_str())) {
@@ -166,7 +166,7 @@ void Application::show_view_settings() {
         }
         ImGui::EndCombo();
     }
-    ImGui::SliderInt("picture scale", &picture_scale_, 1, 8, "%d x");
+    ImGui::SliderInt("picture scale", &picture_scale_, 1, 8, "%d x", ImGuiSliderFlags_AlwaysClamp);
     if (ImGui::BeginCombo("video", settings_.video.c_str())) {
         for (const char* ending : video::video_endings) {
             if (ImGui::Selectable(ending, ending == settings_.video)) settings_.video = ending;
@@ -226,8 +226,9 @@ void Application::show_drawing(float right) {
 
 void Application::show_save_dialogue() {
     if (!ImGui::IsPopupOpen(save_dialogue)) {
-        if (save_path_.empty())
+        if (std::exchange(saved_technique_, session_.technique_name()) != session_.technique_name()) {
             save_path_ = "my_" + std::filesystem::path(session_.technique_name()).stem().string() + ".technique";
+        }
         ImGui::OpenPopup(save_dialogue);
     }
     const ImVec2 display = ImGui::GetIO().DisplaySize;
@@ -236,9 +237,13 @@ void Application::show_save_dialogue() {
     ImGui::SetNextItemWidth(26 * ImGui::GetFontSize());
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     const bool is_entered = ImGui::InputText("##path", &save_path_, ImGuiInputTextFlags_EnterReturnsTrue);
-    if (ImGui::Button("save") || is_entered) {
+    std::error_code ignored;
+    const bool is_there = std::filesystem::exists(save_path_, ignored) && written_.count(save_path_) == 0;
+    if (is_there) ImGui::TextColored(mistake_color, "there is such a file already");
+    if (ImGui::Button(is_there ? "replace it" : "save") || (is_entered && !is_there)) {
         act([this] {
             session_.save_technique(save_path_);
+            written_.insert(save_path_);
             messages_.note("wrote " + save_path_);
             asks_where_to_save_ = false;
         });

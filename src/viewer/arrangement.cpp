@@ -138,7 +138,8 @@ void Arrangement::bind_light(LightStaysWith what) {
 void Arrangement::set_light(const Light& light) {
     light_stays_with_ = light.bound == Light::Bound::viewer ? LightStaysWith::viewer : LightStaysWith::object;
     const glm::dvec3 place = vector(light.place);
-    to_light_ = light.bound == Light::Bound::point ? place - centre_ : place;
+    const glm::dvec3 to_light = light.bound == Light::Bound::point ? place - centre_ : place;
+    if (glm::length(to_light) > 0) to_light_ = to_light;  // one in the object's middle shines from nowhere
     light_color_ = light.color;
 }
 

@@ -21,7 +21,11 @@ public:
     /// `keep`.
     [[nodiscard]] unsigned begin(FrameSize size);
     /// The drawing is done: it is the picture now.
-    void keep() { std::swap(shown_, drawn_); }
+    void keep() {
+        std::swap(shown_, drawn_);
+        has_picture_ = true;
+    }
+    [[nodiscard]] bool has_picture() const { return has_picture_; }
     /// Takes a picture that was drawn elsewhere, laid on white.
     void put(const Picture& picture);
 
@@ -39,6 +43,7 @@ public:
 private:
     std::unique_ptr<gpu::Context> context_;
     std::unique_ptr<gpu::Framebuffer> shown_, drawn_;
+    bool has_picture_ = false;
 };
 
 }  // namespace croquis::viewer

@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <optional>
 #include <vector>
 
@@ -84,6 +85,26 @@ bool read_option(const std::string& option, const std::string& word, View& view,
     return true;
 }
 
+glm::dvec3 vector(const Vector3& v) { return {v[0], v[1], v[2]}; }
+
+// What an arrangement can stand on.
+void check(const View& view) {
+    constexpr double least_field = 1, most_field = 170;
+    if (!(view.field_of_view >= least_field && view.field_of_view <= most_field)) {
+        fail("--fov: expected {} to {} degrees, found {}", least_field, most_field, view.field_of_view);
+    }
+    if (!view.eye || !view.target) return;
+    const glm::dvec3 sight = vector(*view.target) - vector(*view.eye);
+    if (glm::length(sight) == 0) fail("--eye: expected it away from the target, found both at {}", text_of(*view.eye));
+    const double across = glm::length(glm::cross(sight, vector(view.up)));
+    if (!(across > 1e-9 * glm::length(sight) * glm::length(vector(view.up)))) {
+        fail("--up: expected a direction across the line of sight, found {}", text_of(view.up));
+    }
+}
+
+// A name that begins with a dash would be an option.
+std::string path_word(const std::string& path) { return shell_word(path.starts_with('-') ? "./" + path : path); }
+
 }  // namespace
 
 std::string shell_word(const std::string& word) {
@@ -115,17 +136,23 @@ void read_camera_and_light(const std::string& text, View& view, Light& light) {
         }
     }
     if (!is_any) fail("expected a camera or a light, as --eye X,Y,Z, found none");
+    check(new_view);
+    const bool has_direction = new_light.bound != Light::Bound::point;
+    if (has_direction && glm::length(vector(new_light.place)) == 0)
+        fail("--light: expected it away from 0,0,0, found 0,0,0");
     view = new_view;
     light = new_light;
 }
 
 std::string render_command(const std::string& model, const std::string& texture, const std::string& technique,
-                           const std::map<std::string, std::string>& values, const DrawOptions& options) {
-    std::string command = fmt::format("croquis render {} -t {}", shell_word(model), shell_word(technique));
+                           const std::map<std::string, std::string>& values, const DrawOptions& options,
+                           const std::vector<std::string>& data_folders) {
+    std::string command = fmt::format("croquis render {} -t {}", path_word(model), path_word(technique));
+    for (const std::string& folder : data_folders) command += " --data " + path_word(folder);
     for (const auto& [variable, value] : values) command += " --set " + shell_word(variable + "=" + value);
     command += fmt::format(" --size {}x{} --samples {} {}", options.width, options.height, options.samples,
                            camera_and_light(options.view, options.light));
-    if (!texture.empty()) command += " --texture " + shell_word(texture);
+    if (!texture.empty()) command += " --texture " + path_word(texture);
     if (!options.animation.empty()) {
         command += fmt::format(" --animation {} --time {}", shell_word(options.animation), options.time);
     }

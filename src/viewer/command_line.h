@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "croquis/view.h"
 #include "viewer/arrangement.h"
@@ -19,9 +20,10 @@ namespace croquis::viewer {
 /// one, are passed over. Throws Error for an option whose value is wrong, and where there is none of them.
 void read_camera_and_light(const std::string& text, View& view, Light& light);
 
-/// The command that draws a picture. `values` are those of variables, by `pass.variable`.
+/// The command that draws a picture. `values` are those of variables, by `pass.variable`, `data_folders` the user's
+/// own.
 [[nodiscard]] std::string render_command(const std::string& model, const std::string& texture,
                                          const std::string& technique, const std::map<std::string, std::string>& values,
-                                         const DrawOptions& options);
+                                         const DrawOptions& options, const std::vector<std::string>& data_folders = {});
 
 }  // namespace croquis::viewer

@@ -22,7 +22,7 @@ std::uint64_t signature_of(const fs::path& file) {
 std::uint64_t signature_of_folder(const fs::path& folder) {
     std::uint64_t sum = 0;
     std::error_code error;
-    fs::recursive_directory_iterator entry(folder, error);
+    fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, error);
     for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
         std::error_code ignored;
         if (entry->is_regular_file(ignored)) sum += signature_of(entry->path());

@@ -54,7 +54,7 @@ std::string excerpt(const std::string& message) {
     try {
         const std::string line = line_of(read_file(place.file, most_bytes), place.line);
         if (line.empty() || place.column == 0) return line;
-        return line + '\n' + std::string(place.column - 1, ' ') + '^';
+        return line + '\n' + std::string(std::min(place.column - 1, line.size()), ' ') + '^';
     } catch (const Error&) {
         return {};  // it is about something that is no file
     }
@@ -76,6 +76,15 @@ void Messages::note(const std::string& text) {
     note_ends_ = std::chrono::steady_clock::now() + std::chrono::seconds(4);
 }
 
+bool Messages::can_be_closed() const {
+    return mistakes_.count(Source::action) > 0 || mistakes_.count(Source::model) > 0;
+}
+
+void Messages::close() {
+    mended(Source::action);
+    mended(Source::model);
+}
+
 void Messages::show(float low, float high) {
     shows_note_ = has_note();
     if (mistakes_.empty() && !shows_note_) return;
@@ -94,7 +103,7 @@ void Messages::show(float low, float high) {
         ImGui::TextUnformatted(mistake.excerpt.c_str());
         ImGui::PopFont();
     }
-    if (mistakes_.count(Source::action) > 0 && ImGui::SmallButton("close")) mended(Source::action);
+    if (can_be_closed() && ImGui::SmallButton("close")) close();
     if (shows_note_) ImGui::TextWrapped("%s", note_.c_str());
     ImGui::End();
 }

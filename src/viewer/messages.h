@@ -14,6 +14,8 @@ public:
 
     void tell(Source source, const std::string& mistake);
     void mended(Source source) { mistakes_.erase(source); }
+    /// A person has read what can be mended no more: of deeds and of models that cannot be read.
+    void close();
     [[nodiscard]] bool has_mistake(Source source) const { return mistakes_.count(source) > 0; }
     [[nodiscard]] std::string mistake(Source source) const;
 
@@ -26,6 +28,7 @@ public:
     [[nodiscard]] bool has_stale_note() const { return shows_note_ && !has_note(); }
 
 private:
+    [[nodiscard]] bool can_be_closed() const;
     struct Mistake {
         std::string text;
         std::string excerpt;

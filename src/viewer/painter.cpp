@@ -40,7 +40,7 @@ struct Painter::Studio {
         is_outdated = true;
         try {
             renderer.reload();
-        } catch (const Error&) {  // who changed the file is told by the window's own renderer
+        } catch (const std::exception&) {  // who changed the file is told by the window's own renderer
         }
     }
 
@@ -191,11 +191,17 @@ void Painter::finish(Delivery delivery) {
     wake_();
 }
 
-void Painter::give_up(const std::string& failure) {
+// Nobody else draws what is for a file: that it is missing is told.
+void Painter::give_up(Order order, const std::string& failure) {
     {
         const std::lock_guard lock(mutex_);
         failure_ = failure;
         drawn_.reset();
+        orders_.push_front(std::move(order));
+        for (Order& left : orders_) {
+            if (left.purpose.kind != Purpose::Kind::file) continue;
+            done_.push_back({.order = std::move(left), .picture = {}, .help = {}, .error = failure, .milliseconds = 0});
+        }
         orders_.clear();
     }
     changed_.notify_all();
@@ -210,7 +216,7 @@ void Painter::work() {
         try {
             if (!studio) studio.emplace(choice_);
         } catch (const std::exception& error) {
-            return give_up(error.what());
+            return give_up(std::move(*order), error.what());
         }
         bool has_new_files = false;
         {

@@ -74,7 +74,7 @@ private:
     void work();
     [[nodiscard]] std::optional<Order> next_order();
     void finish(Delivery delivery);
-    void give_up(const std::string& failure);
+    void give_up(Order order, const std::string& failure);
     [[nodiscard]] bool is_drawing(const Purpose& purpose) const { return drawn_ && *drawn_ == purpose; }
 
     const Renderer::Choice choice_;

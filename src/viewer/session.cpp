@@ -112,6 +112,7 @@ bool Session::is_changed(const PassVariable& variable) const {
 }
 
 void Session::reset_all() {
+    if (!has_technique()) return;
     for (const auto& [variable, value] : current().changed()) reset(variable);
 }
 
@@ -211,7 +212,10 @@ void Session::save_picture(const std::string& path, const DrawOptions& options) 
 }
 
 std::string Session::command_line(FrameSize frame) const {
-    return render_command(model_path_, model_texture_, technique_name_, current().changed(), options(frame));
+    if (!model_ || !has_technique()) fail("expected a model and a technique to draw, found none");
+    std::vector<std::string> users_own = renderer_.info().data_folders;
+    users_own.pop_back();  // the shipped one
+    return render_command(model_path_, model_texture_, technique_name_, current().changed(), options(frame), users_own);
 }
 
 }  // namespace croquis::viewer

@@ -24,9 +24,9 @@ std::array<float, 4> floats(const std::vector<double>& numbers) {
     return all;
 }
 
-float clamped(float value, const PassVariable& variable) {
-    if (!variable.minimum.empty()) value = std::max(value, float(variable.minimum.front()));
-    if (!variable.maximum.empty()) value = std::min(value, float(variable.maximum.front()));
+double clamped(double value, const PassVariable& variable) {
+    if (!variable.minimum.empty()) value = std::max(value, variable.minimum.front());
+    if (!variable.maximum.empty()) value = std::min(value, variable.maximum.front());
     return value;
 }
 
@@ -57,7 +57,7 @@ bool edit_number(const PassVariable& variable, float width, float& value) {
     }
     ImGui::SetNextItemWidth(width);
     is_changed = ImGui::InputFloat("##box", &value, 0, 0, "%g", ImGuiInputTextFlags_EnterReturnsTrue) || is_changed;
-    if (is_changed) value = clamped(value, variable);
+    if (is_changed) value = float(clamped(double(value), variable));
     return is_changed;
 }
 
@@ -72,7 +72,7 @@ bool edit_integer(const PassVariable& variable, float width, int& value) {
     }
     ImGui::SetNextItemWidth(width);
     is_changed = ImGui::InputInt("##box", &value, 0, 0, ImGuiInputTextFlags_EnterReturnsTrue) || is_changed;
-    if (is_changed) value = int(std::lround(clamped(float(value), variable)));
+    if (is_changed) value = int(clamped(double(value), variable));
     return is_changed;
 }
 
@@ -252,7 +252,7 @@ std::string VariablesPanel::edited(const PassVariable& variable) {
     std::array<float, 4> values = floats(variable.numbers);
     switch (variable.type) {
         case PassVariable::Type::integer: {
-            int value = int(std::lround(values[0]));
+            int value = int(variable.numbers.front());
             return edit_integer(variable, width_, value) ? fmt::format("{}", value) : variable.value;
         }
         case PassVariable::Type::number:

@@ -649,7 +649,7 @@ TEST_F(ApplicationTest, RecordingADragGivesWhatTheCanvasShowedAtItsTimes) {
 TEST_F(ApplicationTest, ARecordingSaysWhatBecameOfIt) {
     const CurrentFolder here(folder_.path());
     application_->press("F11");
-    EXPECT_EQ(mistake(Messages::Source::action), "expected a model to record, found none");
+    EXPECT_EQ(mistake(Messages::Source::action), "expected a picture to record, found none yet");
     open_cube();
     application_->press("F11");
     EXPECT_EQ(mistake(Messages::Source::action), "");

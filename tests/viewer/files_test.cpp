@@ -104,7 +104,13 @@ TEST(CameraText, MistakesAreTold) {
     EXPECT_EQ(read("--fov wide"), "--fov: expected a number, found \"wide\"");
     EXPECT_EQ(read("--light moon:1,2,3"), "--light: expected viewer:, world: or point:X,Y,Z, found \"moon:1,2,3\"");
     EXPECT_EQ(read("--fov 30 --eye 1,2"), "--eye: expected X,Y,Z, found \"1,2\"");
+    EXPECT_EQ(read("--eye 1,2,3 --target 1,2,3"), "--eye: expected it away from the target, found both at 1,2,3");
+    EXPECT_EQ(read("--eye 0,5,0 --target 0,0,0 --up 0,2,0"),
+              "--up: expected a direction across the line of sight, found 0,2,0");
+    EXPECT_EQ(read("--fov 200"), "--fov: expected 1 to 170 degrees, found 200");
+    EXPECT_EQ(read("--light viewer:0,0,0"), "--light: expected it away from 0,0,0, found 0,0,0");
     EXPECT_EQ(view.field_of_view, View().field_of_view) << "a mistake changes nothing";
+    EXPECT_FALSE(view.eye);
 }
 
 TEST(CommandLine, WordsAreQuotedForAShell) {
@@ -112,6 +118,11 @@ TEST(CommandLine, WordsAreQuotedForAShell) {
     EXPECT_EQ(shell_word("two words"), "'two words'");
     EXPECT_EQ(shell_word("it's"), "'it'\\''s'");
     EXPECT_EQ(shell_word(""), "''");
+}
+
+TEST(CommandLine, FilesAreNoOptionsAndFoldersAreNamed) {
+    const std::string command = render_command("-c.obj", "", "plain", {}, {}, {"my data"});
+    EXPECT_TRUE(command.starts_with("croquis render ./-c.obj -t plain --data 'my data' ")) << command;
 }
 
 TEST(FileWatchTest, NoticesChangesNewFilesAndTheirEnd) {
